@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFrame, QLabel, QListWidget, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QListWidget, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
 from tumble.window.look.language import tr
 from tumble.window.look.names import effect_name
@@ -43,7 +43,8 @@ class LoopView(QScrollArea):
         self.not_identifiable = _wrapped()
         self.experiments = QListWidget()
         self.experiments.setWordWrap(True)
-        self.experiments.setMinimumHeight(70)
+        self.experiments.setSizeAdjustPolicy(QListWidget.SizeAdjustPolicy.AdjustToContents)
+        self.experiments.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
         self.run_button = MotionButton(tr("Run the chosen experiment"), "F5")
         self.run_button.clicked.connect(self._run)
         self.experiments.currentRowChanged.connect(self._refresh)

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from typing import Final, Literal, TypeAlias
 
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QBrush, QColor, QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence, QResizeEvent
+from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtGui import QBrush, QColor, QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from tumble.window.look.plain import as_tooltip
@@ -24,6 +24,8 @@ class Table(QTableWidget):
 
     def __init__(self, headings: Sequence[str], parent: QWidget | None = None) -> None:
         super().__init__(0, len(headings), parent)
+        self._fitting = QTimer(self, singleShot=True)
+        self._fitting.timeout.connect(self._fit_last)
         self.setHorizontalHeaderLabels(list(headings))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -34,7 +36,6 @@ class Table(QTableWidget):
         header.setStretchLastSection(True)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._measure(QHeaderView.ResizeMode.ResizeToContents)
-        header.sectionResized.connect(lambda *_: self._fit_last())
         self._keep_lines()
 
     def fill(self, rows: Sequence[Sequence[str]], inks: Sequence[Ink | None] = ()) -> None:
@@ -80,15 +81,19 @@ class Table(QTableWidget):
         for header in (self.horizontalHeader(), self.verticalHeader()):
             header.setSectionResizeMode(mode)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802  # Qt's name
-        """Wrap in the last column only where there is room for words."""
-        super().resizeEvent(event)
-        self._fit_last()
+    def updateGeometries(self) -> None:  # noqa: N802  # Qt's name
+        """See whether the last column has room once the others have found their places."""
+        super().updateGeometries()
+        self._fitting.start()
 
     def _fit_last(self) -> None:
+        """Wrap in the last column only where there is room for words."""
         header = self.horizontalHeader()
         room = self.viewport().width() - header.sectionPosition(self.columnCount() - 1)
-        header.setStretchLastSection(room >= _LAST_LINES * self.fontMetrics().height())
+        has_room = room >= _LAST_LINES * self.fontMetrics().height()
+        if header.stretchLastSection() != has_room:
+            header.setStretchLastSection(has_room)
+            header.resizeSections(QHeaderView.ResizeMode.ResizeToContents)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
         """Copy whole rows, as a spreadsheet takes them; Enter is left to whoever has connected `itemActivated`."""

@@ -15,8 +15,9 @@ from tumble.window.work.record_words import programme_text
 def comparison(first: Record, second: Record) -> Comparison:
     """Hold the values to use against each other. Raises `RecordError` where the records are of different methods."""
     lines = [_line(each, first.values.get(each.name), second.values.get(each.name)) for each in compare(first, second)]
-    alike = _called(first) == _called(second)
-    called = [_called(each, programme_text(each) if alike else "") for each in (first, second)]
+    moments = [written_moment_text(each.provenance.measured_at) for each in (first, second)]
+    beside = map(programme_text, (first, second)) if moments[0] == moments[1] else moments
+    called = [_called(record, text) for record, text in zip((first, second), beside, strict=True)]
     return Comparison(first=called[0], second=called[1], lines=lines)
 
 
@@ -50,7 +51,6 @@ def _told(parameter: RecordedParameter | None) -> str:
     return in_language(value_text(parameter)) if parameter else ""
 
 
-def _called(record: Record, programme: str = "") -> str:
-    """By unit and moment, and by programme where that tells more."""
-    origin = record.provenance
-    return ", ".join(filter(None, (origin.serial_number, written_moment_text(origin.measured_at), programme)))
+def _called(record: Record, text: str) -> str:
+    """By its unit, and by what tells it from the other one."""
+    return ", ".join(filter(None, (record.provenance.serial_number, text)))
