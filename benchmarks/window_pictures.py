@@ -80,10 +80,9 @@ class Album:
 
     def fill(self) -> None:
         """Take one picture after the other."""
-        for take in (
-            self._stand, self._by_hand, self._runs, self._mount, self._loop, self._records, self._others, self._ukrainian,
-        ):  # fmt: skip
+        for take in (self._stand, self._by_hand, self._runs, self._mount, self._loop, self._records, self._others):
             take()
+        self._ukrainian()
 
     def _stand(self) -> None:
         window = self.window
@@ -115,9 +114,7 @@ class Album:
         window.stand.use(load_stand())
         window.stand.simulation.imagined.setChecked(True)
         self._queue("seed")
-        self._wait(lambda: len(window.run.view.points) > 200, "half a run")
-        window.run.course.pause()
-        self._wait(lambda: window.run.course.now.paused, "the pause")
+        self._wait(lambda: len(window.run.view.points) > 150, "a third of a run")
         self._save("queue")
         window.run.view.tabs.setCurrentIndex(0)
         self._save("run")

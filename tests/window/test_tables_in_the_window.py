@@ -61,6 +61,19 @@ def test_a_file_that_is_no_table_is_refused_in_a_sentence(lent_driver, write):
     assert "empty.csv" in lent_driver.complaints[0]
 
 
+def test_the_last_column_that_is_shown_fills_the_table(qtbot):
+    table = Table(("first", "last", "hidden"))
+    qtbot.addWidget(table)
+    table.resize(500, 300)
+    table.show()
+    table.fill([["a", "b", "c"]])
+    table.setColumnHidden(2, True)
+    table.resize(100, 300)
+    qtbot.waitUntil(lambda: not table.horizontalHeader().stretchLastSection())
+    table.resize(600, 300)
+    qtbot.waitUntil(lambda: table.columnWidth(0) + table.columnWidth(1) == table.viewport().width())
+
+
 def test_the_last_column_wraps_where_it_has_room_and_is_scrolled_to_where_not(qtbot):
     table = Table(("first", "last"))
     qtbot.addWidget(table)

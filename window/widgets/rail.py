@@ -20,6 +20,8 @@ _LINES_ALONE: Final = 1.25
 """The same where there is no room for titles."""
 _LEAST_PX: Final = 16
 """The same where there is least room."""
+_BADGE: Final = 0.36
+"""Radius of a badge, at most, in parts of the sign that it stands at."""
 _LEAST_BUTTON_PX: Final = 28
 """Height of a button then."""
 _AROUND_PX: Final = 20
@@ -97,7 +99,7 @@ class RailButton(QToolButton):
         super().paintEvent(event)
         if self.badge is None:
             return
-        painter, radius = QPainter(self), self.fontMetrics().height() * 0.55
+        painter, radius = QPainter(self), min(0.55 * self.fontMetrics().height(), _BADGE * self.iconSize().width())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QColor(colours(self).paper))
         painter.setBrush(QColor(self.badge.tint.ground))

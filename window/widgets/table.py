@@ -89,11 +89,14 @@ class Table(QTableWidget):
     def _fit_last(self) -> None:
         """Wrap in the last column only where there is room for words."""
         header = self.horizontalHeader()
-        room = self.viewport().width() - header.sectionPosition(self.columnCount() - 1)
+        last = max((each for each in range(self.columnCount()) if not self.isColumnHidden(each)), default=0)
+        room = self.viewport().width() - header.sectionPosition(last)
         has_room = room >= _LAST_LINES * self.fontMetrics().height()
-        if header.stretchLastSection() != has_room:
-            header.setStretchLastSection(has_room)
+        if header.stretchLastSection() and not has_room:
+            header.setStretchLastSection(False)
             header.resizeSections(QHeaderView.ResizeMode.ResizeToContents)
+        elif has_room:
+            header.setStretchLastSection(True)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
         """Copy whole rows, as a spreadsheet takes them; Enter is left to whoever has connected `itemActivated`."""
