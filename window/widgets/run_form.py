@@ -38,7 +38,7 @@ class RunForm(QWidget):
         self.serial.setMaxLength(LONGEST_NAME)
         self.serial.setPlaceholderText(tr("type or scan"))
         self.serial.returnPressed.connect(self.await_scan)
-        for name in shipped_programmes():
+        for name in sorted(shipped_programmes(), key=_is_probe):
             self.programme.addItem(name, name)
         self.add_programme(str(QSettings().value("run/programme", "seed")))
         self.programme.setMinimumContentsLength(14)
@@ -138,3 +138,8 @@ class RunForm(QWidget):
             self.summary.setText(in_language(str(error)))
             return
         self.summary.setText(plan_text(planned))
+
+
+def _is_probe(name: str) -> bool:
+    """Whether a programme is one that the closed loop asks for: these come last."""
+    return name.startswith("probe-")
