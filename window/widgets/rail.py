@@ -13,6 +13,7 @@ from tumble.window.look.keys import KeyedAction, key_text
 from tumble.window.look.shades import Colours
 from tumble.window.look.theme import colours
 from tumble.window.look.tints import Tint
+from tumble.window.widgets.splitter import NARROW_LINES
 
 _LINES: Final = 1.7
 """Height of a sign in lines of text."""
@@ -176,10 +177,15 @@ class Rail(QWidget):
         if event.type() == QEvent.Type.FontChange and self.buttons:
             self._name_them()
 
+    def fold(self) -> None:
+        """Leave out the titles where the window is narrow for its text."""
+        self._name_them()
+
     def _name_them(self) -> None:
         for button in self.buttons:
             button.name_it()
-        if self._needed().height() > self.height():
+        narrow = self.window().width() < NARROW_LINES * self.fontMetrics().height()
+        if narrow or self._needed().height() > self.height():
             for button in self.buttons:
                 button.show_sign((self.height() - _AROUND_PX) // len(self.buttons))
         self.updateGeometry()
