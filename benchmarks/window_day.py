@@ -106,7 +106,7 @@ class Day:
         hands.press("Ctrl+2")
         hands.access("F")
         hands.scan(programme)
-        hands.wait(lambda: window.run.form.programme.currentText() == programme, "the programme")
+        hands.wait(lambda: window.run.form.chosen == programme, "the programme")
 
     def _queue(self) -> None:
         """Three units are scanned into the queue, one of them mistyped."""

@@ -1,7 +1,8 @@
 """What is wrong on a window: what a person would stumble on, found by looking at every part that is shown.
 
 Wrong is a text that is cut off or in another language, a part that sticks out of its place, parts that lie on each
-other, a key that is underlined twice, and a text that is too faint.
+other, a page that has to be moved sideways, tabs that do not fit, a key that is underlined twice, and a text that is
+too faint.
 """
 
 from collections.abc import Iterator
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QMenuBar,
+    QScrollArea,
     QTabBar,
     QWidget,
 )
@@ -39,9 +41,20 @@ def flaws(window: QWidget, language: Language) -> list[str]:
         *(f"cut off: {_named(part)}" for part in parts if _is_cut(part)),
         *(f"sticks out: {_named(part)}" for part in parts if _sticks_out(part)),
         *(f"on each other: {_named(one)} and {_named(other)}" for one, other in met),
+        *_out_of_sight(window),
         *(f"not {language}: {_named(part)}" for part in parts if _is_foreign(part, language)),
         *(f"one key, {key}, for {' and '.join(texts)}" for key, texts in access_keys(window).items() if len(texts) > 1),
     ]
+
+
+def _out_of_sight(window: QWidget) -> Iterator[str]:
+    """What is there, and is seen only once somebody has moved it."""
+    for area in window.findChildren(QScrollArea):
+        if area.isVisible() and (hidden_px := area.horizontalScrollBar().maximum()) and not _is_of_qt(area):
+            yield f"{hidden_px} px sideways: {type(area.widget()).__name__}"
+    for bar in window.findChildren(QTabBar):
+        if bar.isVisible() and not bar.rect().contains(bar.tabRect(bar.count() - 1)):
+            yield f"no room for all tabs: {', '.join(bar.tabText(tab) for tab in range(bar.count()))}"
 
 
 def access_keys(window: QWidget) -> dict[str, list[str]]:

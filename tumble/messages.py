@@ -131,6 +131,11 @@ def with_wording(name: str) -> str:
     return _NAMED.get(name, name)
 
 
+def read_back(text: str) -> str:
+    """A text of a document, which a reader is shown as a key of the catalogue where it is one without fields."""
+    return text if "{" in text or "}" in text else Message.marked(text)
+
+
 def translatable(template: str) -> str:
     """The template itself, marked for the catalogue; for tables of templates that are put into words later."""
     return template

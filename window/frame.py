@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Final
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from tumble.window.finder.finder import Finder
@@ -51,6 +52,11 @@ class Frame(QWidget):
     def close_newest(self) -> bool:
         """Close what lies over the screens, or the dialog, or the newest notice; false where there is none."""
         return self.finder.close_it() or self.dialogs.close_newest() or self.notices.close_newest()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802  # Qt's name
+        """Have the rail take what room there is now."""
+        super().resizeEvent(event)
+        self.rail.fold()
 
     def _show(self, number: int) -> None:
         """Show a screen, and give the keyboard to the part that had it last, or to its first."""

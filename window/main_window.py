@@ -280,7 +280,7 @@ class MainWindow(QMainWindow):
 
     def _conclude(self, concluded: Concluded) -> None:
         """Show a result to whoever watched the run; a badge to whoever is elsewhere, or is to decide on another."""
-        if self.frame.current is self.run and self.run.phase is Phase.IDLE and not self.run.broken_off:
+        if self.frame.current is self.run and self.run.course.now.is_over and not self.run.broken_off:
             self._show_result(concluded)
             return
         self.result.show_result(concluded, self.store)

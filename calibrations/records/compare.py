@@ -12,7 +12,7 @@ from tumble.calibrations.core.verdict import Model
 from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
-from tumble.messages import Message
+from tumble.messages import Message, read_back
 
 SIGNIFICANT_P = 0.05
 
@@ -33,6 +33,9 @@ class Difference:
     p_value: float | None = None
     """Probability of a difference as large, either way, if nothing changed (Student's t)."""
     sentence: str
+    """What changed by how much, and what that means."""
+    conclusion: str
+    """The latter alone, where the numbers are beside it."""
 
     @property
     def expanded_uncertainty(self) -> float:
@@ -93,6 +96,7 @@ def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, rem
         significance=significance,
         p_value=p_value,
         sentence=Message.joined(" ", [_sentence(a, difference, u, p_value, same_file), *remarks]),
+        conclusion=Message.joined(" ", [*_conclusion(difference, p_value, same_file), *remarks]),
     )
 
 
@@ -122,7 +126,8 @@ def _resting(a: RecordedParameter, b: RecordedParameter) -> Iterator[Message]:
 
 def _incomparable(parameter: RecordedParameter, obstacle: str) -> Difference:
     sentence = Message("{name} cannot be compared: {obstacle}.", name=parameter.name, obstacle=obstacle)
-    return Difference(name=parameter.name, unit=parameter.unit, sentence=sentence)
+    conclusion = Message("Cannot be compared: {obstacle}.", obstacle=obstacle)
+    return Difference(name=parameter.name, unit=parameter.unit, sentence=sentence, conclusion=conclusion)
 
 
 def _obstacle(a: RecordedParameter, b: RecordedParameter) -> str:
@@ -130,7 +135,8 @@ def _obstacle(a: RecordedParameter, b: RecordedParameter) -> str:
     lacking = ((Message("the first record has no value"), a), (Message("the second record has no value"), b))
     for said, parameter in lacking:
         if parameter.value is None:
-            return Message("{said} ({reason})", said=said, reason=parameter.reason) if parameter.reason else said
+            why = read_back(parameter.reason)
+            return Message("{said} ({reason})", said=said, reason=why) if why else said
     if a.unit != b.unit:
         return Message(
             "it is in {first} in the first record and in {second} in the second", first=a.unit, second=b.unit
@@ -177,6 +183,18 @@ def _sentence(a: RecordedParameter, difference: float, u: float, p_value: float 
     if p_value < SIGNIFICANT_P:
         return Message("{change}: significant (p = {p_value:.2g}).", change=change, p_value=p_value)
     return Message("{change}: not significant (p = {p_value:.2g}).", change=change, p_value=p_value)
+
+
+def _conclusion(difference: float, p_value: float | None, same_file: bool) -> Iterator[Message]:
+    """What a difference means; nothing where it has no uncertainty to be held against."""
+    if same_file and difference == 0.0:
+        yield Message("No change: both records come from one raw file.")
+    elif same_file:
+        yield Message("Both records come from one raw file: this is what the analysis changed.")
+    elif p_value is not None and p_value < SIGNIFICANT_P:
+        yield Message("Significant (p = {p_value:.2g}).", p_value=p_value)
+    elif p_value is not None:
+        yield Message("Not significant (p = {p_value:.2g}).", p_value=p_value)
 
 
 def _change(a: RecordedParameter, difference: float, u: float) -> Message:

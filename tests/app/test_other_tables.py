@@ -1,4 +1,5 @@
 import json
+import re
 
 import numpy as np
 import pytest
@@ -42,6 +43,19 @@ def test_two_tables_of_one_head_are_compared(tmp_path, eccentric):
     assert change["difference"] == pytest.approx(0.02, abs=5e-4)
     assert change["before"] == pytest.approx(0.02, abs=5e-4)
     assert "What the difference shows" in ran.out
+
+
+def test_the_report_of_a_table_that_is_recorded_says_the_change_since_the_last_one(tmp_path):
+    told = []
+    for year in ("one", "two"):
+        (tmp_path / year).mkdir()
+        table, page = tmp_path / year / "head.csv", tmp_path / f"{year}.html"
+        write_table(rests(lambda a, d, t: 0 * a, seed=len(told)), table)
+        ran = tumble("close-loop", table, "--record", "--store", tmp_path / "store", "--report", page)
+        assert ran.status == 0, ran.err
+        told.append(re.findall(r"\([+-][^)]*±[^)]*\) ° since \d{4}-\d\d-\d\d", page.read_text("utf-8")))
+    assert not told[0]
+    assert told[1]
 
 
 def test_an_eccentricity_that_turned_round_has_changed(tmp_path, eccentric):

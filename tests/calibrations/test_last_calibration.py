@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from records_examples import calibration, provenance, raw_source
 from report_examples import provenance as reported
@@ -109,6 +110,18 @@ def test_few_degrees_of_freedom_widen_it(store, record):
     told = record(SECOND, freedom=5.0)
     change = changes(told, store.before(told, 20))["kx"]
     assert change.expanded_uncertainty == pytest.approx(2.228 * 3e-4 * 2**0.5, rel=1e-3)
+
+
+def test_what_both_calibrations_share_is_counted_in_each_and_hides_no_doubt(store, record):
+    # Of u = 5e-4 each, 4e-4 is the gain of one DAQ, which drops out of the difference: sqrt(2) 3e-4 is left of it.
+    record(FIRST, u=5e-4)
+    told = record(SECOND, value=1.001, u=5e-4)
+    change = changes(told, store.before(told, 20))["kx"]
+    assert change.expanded_uncertainty == pytest.approx(1.95996 * 2**0.5 * 5e-4, rel=1e-5)
+    drawn = np.random.default_rng(0)
+    gain, own = 4e-4 * drawn.standard_normal(100_000), 3e-4 * drawn.standard_normal((2, 100_000))
+    differences = (gain + own[1]) - (gain + own[0])
+    assert np.mean(abs(differences) < change.expanded_uncertainty) > 0.99
 
 
 def test_a_value_is_held_against_the_last_record_that_has_it(store, record):

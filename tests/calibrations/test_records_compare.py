@@ -68,6 +68,23 @@ def test_two_equal_analyses_of_one_raw_file_show_no_change(record):
     assert kx.sentence == "kx did not change: both records come from one raw file."
 
 
+@pytest.mark.parametrize(
+    ("second", "sha256", "conclusion"),
+    [
+        ({}, "aa", "No change: both records come from one raw file."),
+        ({"value": 1.1}, "aa", "Both records come from one raw file: this is what the analysis changed."),
+        ({}, "bb", "Not significant (p = 1)."),
+        ({"value": 2.0}, "bb", "Significant (p = 0)."),
+        ({"value": 2.0, "standard_uncertainty": 0.0}, "bb", ""),
+        ({"unit": "mV/g"}, "bb", "Cannot be compared: it is in V/g in the first record and in mV/g in the second."),
+    ],
+)
+def test_what_a_difference_means_is_said_alone(record, second, sha256, conclusion):
+    first = {"standard_uncertainty": 0.0} if "standard_uncertainty" in second else {}
+    kx, *_ = compare(record(**first), record(sha256, **second))
+    assert kx.conclusion == conclusion
+
+
 def test_a_difference_without_uncertainty_has_no_significance(record):
     (kx,) = compare(record(standard_uncertainty=0.0), record("bb", value=1.5, standard_uncertainty=0.0))
     assert (kx.difference, kx.significance, kx.p_value) == (0.5, None, None)

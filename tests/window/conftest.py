@@ -4,6 +4,7 @@ import gc
 import os
 import time
 from pathlib import Path
+from threading import Event
 
 os.environ.setdefault("QT_QPA_PLATFORM", f"offscreen:configfile={Path(__file__).with_name('screen.json')}")
 
@@ -16,6 +17,9 @@ from tumble.calibrations.methods.dividing_head import analysis
 from tumble.messages import Language
 from tumble.window.look.language import speak
 from tumble.window.start import Application, application
+from tumble.window.work import queue_file
+from tumble.window.work.queue_file import QueueFile
+from tumble.window.work.session import StandSession
 
 
 @pytest.fixture(scope="session")
@@ -170,3 +174,33 @@ def tiny(write):
 def long(write):
     """Programme of six hundred dwells."""
     return write("long.toml", LONG)
+
+
+@pytest.fixture
+def both(tmp_path, qapp):
+    """The queue of one store as two windows have it."""
+    queues = QueueFile(tmp_path), QueueFile(tmp_path)
+    yield queues
+    for each in queues:
+        each.leave()
+
+
+@pytest.fixture
+def impatient(monkeypatch):
+    """Waits for nothing."""
+    for name in ("_CHANGE_S", "_CLAIM_S", "_PATIENCE_S"):
+        monkeypatch.setattr(queue_file, name, 0.0)
+
+
+@pytest.fixture
+def reaching(monkeypatch):
+    """A stand that is reached for as long as nobody stops that; tells whether it is."""
+    begun = Event()
+
+    def identify(_session, connected):
+        begun.set()
+        while True:
+            connected.stand.attention.check()
+
+    monkeypatch.setattr(StandSession, "_identity", identify)
+    return begun

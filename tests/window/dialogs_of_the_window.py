@@ -64,7 +64,7 @@ DIALOGS = {
     "stand file": lambda driver, path: driver.window.stand._choose(),
     "programme": lambda driver, path: driver.run.form._choose_file(),
     "file to analyse": lambda driver, path: driver.window.records._choose_file(),
-    "export": lambda driver, path: driver.window.records._exporting.ask("20260101-1"),
+    "export": lambda driver, path: driver.window.records._exporting.ask("20260101-1", "SN 1"),
     "replace": _export_over,
     "discard": lambda driver, path: driver.window.records.discard(path),
     "another stand": lambda driver, path: driver.window.beginning.begin(_Elsewhere(path)),

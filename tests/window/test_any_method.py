@@ -110,8 +110,8 @@ def test_a_condition_is_asked_for_in_the_words_of_its_method(driver, tmp_path):
     assert prompt.unit.text == "T-1"
     driver.wait(
         lambda: (
-            prompt.words.text == "Bring the base to level. outer is at 0° and turns by itself once you confirm. "
-            "inner is at 0° and turns by itself once you confirm."
+            prompt.words.text == "Bring the base to level. Outer axis is at 0° and turns by itself once you confirm. "
+            "Inner axis is at 0° and turns by itself once you confirm."
         )
     )
     assert driver.run.view.points == []

@@ -40,6 +40,13 @@ def test_where_it_is_is_filled_and_where_it_was_sent_is_hollow(dial):
     assert QColor(chosen.ink) in edge
 
 
+@pytest.mark.parametrize(("angle_deg", "is_written"), [(90.0, False), (-270.0, False), (99.0, False), (105.0, True)])
+def test_a_label_that_the_needle_would_lie_on_is_left_out(dial, angle_deg, is_written):
+    dial.show_status(at(angle_deg))
+    chosen, letters = colours(dial), [(0.72 + x / 200, y / 100) for x in range(24) for y in range(-3, 4)]
+    assert (QColor(chosen.ink) in [seen(dial, x, y) for x, y in letters]) is is_written
+
+
 def test_a_head_that_turns_has_another_colour(dial):
     dial.show_status(at(0.0, 90.0, moving=True))
     assert seen(dial, 0.0, -0.75) == QColor(colours(dial).now)

@@ -52,6 +52,8 @@ def test_the_closed_loop_asks_for_an_experiment_that_a_key_runs(driver, write, m
 
     monkeypatch.setattr("tumble.window.screens.result.load_programme", lambda name: load_programme(probes[name]))
     driver.press(Qt.Key.Key_F5)
+    driver.wait(lambda: "What was measured so far is analysed first; then the experiment begins." in driver.log)
+    assert driver.window.strip.state.text != "Ready"
     driver.wait(lambda: result.presentation is not first or driver.complaints, 120)
 
     assert driver.complaints == []

@@ -78,7 +78,7 @@ def test_after_a_programme_was_chosen_a_scan_is_heard(driver, tiny):
     driver.run.form._browse.click()
     hands = Hands(driver.window)
     hands.scan(str(tiny))
-    assert driver.run.form.programme.currentText() == str(tiny)
+    assert driver.run.form.chosen == str(tiny)
     hands.scan("SN-7")
     assert driver.run.form.serial.text() == "SN-7"
 

@@ -4,7 +4,7 @@ from itertools import combinations
 
 import pytest
 from PySide6.QtCore import QSettings
-from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
 from benchmarks.window_flaws import LEAST_CONTRAST, access_keys, flaws, painted_contrast
 from benchmarks.window_tour import Tour, pale
@@ -32,16 +32,6 @@ def tour(shared_window, tmp_path_factory):
 def test_every_text_is_whole_and_in_the_language(tour, language, scale):
     tour.take(language, Shade.LIGHT, SMALL, scale)
     assert [(state, flaw) for state in tour.states() for flaw in flaws(tour.window, language)] == []
-
-
-@pytest.mark.parametrize("language", Language)
-def test_stand_and_run_are_not_scrolled_across_with_large_text(tour, language):
-    tour.take(language, Shade.LIGHT, SMALL, 2.0)
-    window = tour.window
-    for screen in (window.stand, window.run):
-        window.open(screen)
-        tour.settle()
-        assert screen.layout().minimumSize().width() <= screen.parentWidget().width()
 
 
 @pytest.mark.parametrize("shade", [Shade.LIGHT, Shade.DARK, Shade.CONTRAST])
@@ -84,6 +74,28 @@ def test_text_without_room_is_found(qtbot, qapp):
     part.setGeometry(0, 0, 20, 30)
     place.show()
     assert flaws(place, Language.ENGLISH) == ["cut off: QLabel “a text that is long”"]
+
+
+def test_a_page_that_is_moved_sideways_is_found(qtbot):
+    window, page = QWidget(), QWidget()
+    qtbot.addWidget(window)
+    area = QScrollArea(window)
+    area.setFrameShape(QScrollArea.Shape.NoFrame)
+    page.setFixedSize(300, 10)
+    area.setWidget(page)
+    area.resize(200, 100)
+    window.show()
+    assert flaws(window, Language.ENGLISH) == ["100 px sideways: QWidget"]
+
+
+def test_tabs_without_room_are_found(qtbot):
+    tabs = QTabWidget()
+    qtbot.addWidget(tabs)
+    for title in ("Parameters", "Correlations", "Closed loop"):
+        tabs.addTab(QWidget(), title)
+    tabs.resize(150, 100)
+    tabs.show()
+    assert flaws(tabs, Language.ENGLISH) == ["no room for all tabs: Parameters, Correlations, Closed loop"]
 
 
 def test_a_key_that_is_underlined_twice_is_found(qtbot):

@@ -8,7 +8,6 @@ from tumble.drivers.simulated.head import SimulatedHead
 from tumble.procedures.events import FinishReason, State
 from tumble.procedures.recording.reader import read_recording
 from tumble.window.screens.run import Phase
-from tumble.window.work.session import StandSession
 
 
 @pytest.fixture
@@ -75,20 +74,6 @@ def test_a_pause_while_a_mount_is_asked_for_is_heeded_after_the_answer(slow, lon
     assert slow.run.view.points == []
     slow.press(Qt.Key.Key_F7)
     slow.wait_for_points(1)
-
-
-@pytest.fixture
-def reaching(driver, monkeypatch):
-    """A stand that is reached for as long as nobody stops that; tells whether it is."""
-    begun = Event()
-
-    def identify(_session, connected):
-        begun.set()
-        while True:
-            connected.stand.attention.check()
-
-    monkeypatch.setattr(StandSession, "_identity", identify)
-    return begun
 
 
 def assert_ended(driver):

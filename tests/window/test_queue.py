@@ -131,6 +131,17 @@ def test_stop_holds_the_queue_and_says_so(driver, long):
     assert driver.run.controls.start_queue.isVisible()
 
 
+def test_stop_while_the_first_one_connects_holds_the_queue(driver, tiny, reaching):
+    add(driver, tiny, "A-1", "B-2")
+    driver.press(Qt.Key.Key_F4)
+    driver.wait(reaching.is_set)
+    driver.press(Qt.Key.Key_F12)
+    driver.wait_for_end()
+    assert stages(driver) == [("A-1", Stage.STOPPED), ("B-2", Stage.WAITING)]
+    assert driver.run.queue_view.said.text() == "The queue is held: A-1 was stopped. F4 goes on with the next."
+    assert driver.complaints == []
+
+
 def test_a_stopped_line_goes_on_where_the_run_does(driver, tiny, tmp_path, monkeypatch, no_report):
     at_call(monkeypatch, 8)
     add(driver, tiny, "A-1")
@@ -231,11 +242,11 @@ def test_what_the_stand_forbids_is_not_added(driver, write):
 def test_the_file_says_which_version_it_is(driver, tiny, tmp_path):
     add(driver, tiny, "A-1")
     kept = json.loads((tmp_path / "store" / "queue.json").read_text("utf-8"))
-    assert kept["schema"] == "tumble.queue/1"
-    assert kept["entries"] == [{"number": 1, "serial_number": "A-1", "programme": str(tiny), "repeat": 1} | ONCE]
-
-
-ONCE = {"repeats": 1, "stage": "waiting"}
+    assert kept["schema"] == "tumble.queue/2"
+    (entry,) = kept["entries"]
+    assert entry.pop("id") == entries(driver)[0].id
+    once = {"repeat": 1, "repeats": 1, "stage": "waiting"}
+    assert entry == {"serial_number": "A-1", "programme": str(tiny)} | once
 
 
 @pytest.fixture
@@ -254,6 +265,14 @@ def test_another_unit_is_asked_for_where_its_programme_does_not(asking_nothing, 
     driver.press(Qt.Key.Key_F9)
     wait_for(driver, Stage.JUDGED, Stage.JUDGED)
     assert not driver.run.view.unit.isVisible()
+
+
+def test_a_result_hides_no_unit_that_is_asked_for(asking_nothing, driver, tiny, no_report):
+    add(driver, tiny, "A-1", "B-2")
+    driver.press(Qt.Key.Key_F4)
+    wait_for(driver, Stage.JUDGED, Stage.MOUNTING)
+    driver.wait(lambda: driver.window.result.presentation is not None)
+    assert driver.run.view.unit.isVisible()
 
 
 def test_a_repeat_of_a_unit_asks_for_none(asking_nothing, driver, tiny, no_report):

@@ -98,6 +98,15 @@ def test_runs_without_a_record_are_counted(driver, long):
     assert (badge(driver, RECORDS).sign, badge(driver, RECORDS).meaning) == ("1", "1 without a record")
 
 
+def test_titles_are_left_out_where_the_window_is_narrow_for_its_text(driver):
+    rail, shown = driver.window.frame.rail, {}
+    for lines in (40, 60):
+        driver.window.resize(lines * rail.fontMetrics().height(), 760)
+        driver.wait(lambda lines=lines: driver.window.width() == lines * rail.fontMetrics().height())
+        shown[lines] = rail.buttons[0].toolButtonStyle()
+    assert list(shown.values()) == [Qt.ToolButtonStyle.ToolButtonIconOnly, Qt.ToolButtonStyle.ToolButtonTextUnderIcon]
+
+
 @pytest.mark.parametrize("name", ["stand", "run", "result", "records", "settings", "help"])
 def test_a_sign_is_painted_in_the_inks_that_it_is_given(qapp, name):
     image = icon(name, "#FF0000", "#0000FF").pixmap(QSize(48, 48)).toImage()

@@ -9,6 +9,7 @@ from test_records_any_method import pendulum
 
 from tumble.app.headline import chosen
 from tumble.calibrations.records.store import Store
+from tumble.window.look.moments import day_text
 
 
 @pytest.fixture
@@ -79,12 +80,14 @@ def test_the_time_axis_of_one_record_says_its_day(records):
     assert trend.drawn == 1
     low, high = trend.plot.getViewBox().viewRange()[0]
     assert high - low >= 3600.0
-    assert trend.plot.getAxis("bottom").labelText == "time, 2026-11-01"
+    assert trend.plot.getAxis("bottom").labelText == f"time, {day_text(datetime(2026, 11, 1))}"
 
 
 def test_the_time_axis_says_the_first_and_the_last_day(records):
     records.trend.parameter.setCurrentText("period")
-    assert records.trend.plot.getAxis("bottom").labelText == "time, 2026-11-01 – 2026-11-02"
+    assert records.trend.plot.getAxis("bottom").labelText == "time, " + " – ".join(
+        day_text(datetime(2026, 11, day)) for day in (1, 2)
+    )
 
 
 def parameter(name, value, uncertainty):

@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QRectF
-from records_examples import provenance
+from records_examples import provenance, raw_source
 from test_records_any_method import pendulum
 
 from tumble.calibrations.records.errors import RecordError
@@ -11,7 +11,7 @@ from tumble.window.widgets.interval_bars import _lanes
 from tumble.window.work.compared import Interval
 from tumble.window.work.comparison import comparison
 from tumble.window.work.preview import preview
-from tumble.window.work.record_words import StandState, findings_in, stand_state, stand_words
+from tumble.window.work.record_words import StandState, findings_in, programme_text, stand_state, stand_words
 
 SEAL = {"name": "seal", "coefficients": {}}
 HEAD = {"driver": "zaber"}
@@ -22,9 +22,10 @@ def record_of(qapp, tmp_path):
     """Makes a record of a pendulum."""
     store = Store(tmp_path)
 
-    def make(*, stand=None, **changed):
-        origin = provenance(serial_number="P-1") if stand is None else provenance(serial_number="P-1", stand=stand)
-        return store.add(pendulum(**changed), origin)
+    def make(*, stand=None, sources=None, **changed):
+        told = {"stand": stand, "sources": sources}
+        origin = {name: value for name, value in told.items() if value is not None}
+        return store.add(pendulum(**changed), provenance(serial_number="P-1", **origin))
 
     return make
 
@@ -106,3 +107,12 @@ def test_an_interval_that_is_not_there_leaves_its_lane_empty():
     (first, second) = _lanes([None, Interval(value=1.0, low=1.0, high=1.0)], QRectF(0.0, 0.0, 100.0, 40.0))
     assert first is None
     assert second[1].x() == 50.0
+
+
+def test_a_joint_record_is_told_from_the_first_of_its_runs(record_of, qapp):
+    sources = [raw_source(sha256=each * 32) for each in ("aa", "bb")]
+    first, joint = record_of(sources=sources[:1]), record_of(sources=sources)
+    assert [programme_text(each) for each in (first, joint)] == ["seed", "seed + 1"]
+    found = comparison(first, joint)
+    assert found.first.endswith(", seed")
+    assert found.second.endswith(", seed + 1")

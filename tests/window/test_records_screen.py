@@ -6,6 +6,7 @@ from threading import Event
 import pytest
 from PySide6.QtCore import QDate, Qt
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFileDialog
 from pytestqt.qtbot import QtBot
 from window_driver import TINY
 
@@ -99,7 +100,7 @@ def test_two_records_are_compared(measured):
     records.compare_button.click()
     measured.wait(lambda: records.tabs.currentWidget() is records.comparison)
     texts = records.comparison.texts()[0]
-    assert (texts[0], texts[6].split(",")[0][:13]) == ("u0", "u0 changed by")
+    assert (texts[0], texts[6][:15]) == ("u0", "Not significant")
     assert [records.comparison.horizontalHeaderItem(column).text()[:5] for column in (1, 2)] == ["● A-1", "■ B-2"]
 
 
@@ -197,6 +198,15 @@ def test_a_record_is_exported(measured, tmp_path, suffix, begins):
     assert path.read_bytes().startswith(begins)
     if suffix == "json":
         assert json.loads(path.read_text("utf-8"))["provenance"]["serial_number"] == "A-1"
+
+
+def test_a_file_is_called_after_unit_and_record(measured):
+    records = measured.window.records
+    records.table.selectRow(0)
+    records.export_button.click()
+    (dialog,) = measured.window.dialogs.findChildren(QFileDialog)
+    assert Path(dialog.selectedFiles()[0]).name == f"B-2-{records.table.chosen_records[0].id}.json"
+    measured.dismiss_all()
 
 
 def test_a_file_name_without_a_format_is_told(measured, tmp_path):

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QLineEdit
 from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
 from tumble.messages import Language, Message
 from tumble.window.look.language import speak
-from tumble.window.look.moments import moment_text
+from tumble.window.look.moments import written_moment_text
 from tumble.window.look.shades import Shade
 from tumble.window.look.theme import dress, dress_window
 from tumble.window.screens.result import notices_of
@@ -67,7 +67,7 @@ def test_a_moment_is_written_as_the_language_writes_it(qapp):
     texts = []
     for language in Language:
         speak(language)
-        texts.append(moment_text("2026-11-27T12:15:00+00:00"))
+        texts.append(written_moment_text("2026-11-27T12:15:00+00:00"))
     speak(Language.ENGLISH)
     assert all("T" not in text for text in texts)
     assert texts[2].startswith("27.11.26")
@@ -75,7 +75,7 @@ def test_a_moment_is_written_as_the_language_writes_it(qapp):
 
 @pytest.mark.parametrize("text", ["", "some day"])
 def test_what_is_no_moment_stays_what_it_is(text):
-    assert moment_text(text) == text
+    assert written_moment_text(text) == text
 
 
 def test_warnings_without_limits_are_in_the_headline(driver, tiny, no_report):

@@ -56,6 +56,15 @@ def test_what_waits_for_the_person_is_amber(driver, write):
     assert (strip(driver).state.text, strip(driver).state.tint) == ("Waits for you", AMBER)
 
 
+def test_a_stand_that_carries_out_an_order_is_not_ready(driver, reaching):
+    driver.window.stand.connect_button.click()
+    driver.wait(reaching.is_set)
+    driver.wait(lambda: driver.window.strip.state.text == "At work")
+    assert driver.window.strip.state.tint is BLUE
+    driver.window.worker.stop()
+    driver.wait(lambda: driver.window.strip.state.text == "Ready")
+
+
 def test_a_fault_is_red(driver):
     driver.run.course.see_unrest()
     assert strip(driver).state.tint is RED

@@ -5,6 +5,7 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import QWidget
 from window_driver import STAND
 
+from tumble.drivers.protocols import PositionerStatus
 from tumble.window.look.shades import DARK, LIGHT
 from tumble.window.look.theme import colours
 
@@ -76,6 +77,22 @@ def test_certificates_are_shown_with_what_is_due(driver, write):
     assert daq.text("certificate") == "C-17"
     assert head.calibration.text().startswith("Calibration overdue since ")
     assert daq.calibration.text().startswith("Calibration soon due: ")
+
+
+def test_home_it_first_is_said_until_the_head_knows_its_angle(driver):
+    seen, stand = driver.window.worker.position_seen, driver.window.stand
+    seen.emit("head", PositionerStatus(angle_deg=0.0, moving=False, device_time_s=0.0, referenced=False))
+    assert stand._notice.text() == "The head does not know its angle: home it first."
+    seen.emit("head", PositionerStatus(angle_deg=0.0, moving=False, device_time_s=0.0))
+    assert stand._notice.text() == ""
+
+
+def test_programmes_that_the_loop_asks_for_come_last(driver):
+    box = driver.window.run.form.programme
+    names = [name for place in range(box.count()) if "/" not in (name := box.itemText(place))]
+    probes = [name.startswith("probe-") for name in names]
+    assert probes == sorted(probes)
+    assert True in probes
 
 
 def test_a_head_that_is_turned_by_hand_cannot_be_jogged(driver, write):

@@ -6,6 +6,7 @@ import pytest
 
 from tumble.calibrations.records.store import Store
 from tumble.window.generic.section_list import SectionList
+from tumble.window.widgets.table import Table
 
 HEAD = Path(__file__).parents[2] / "docs" / "samples" / "head.csv"
 
@@ -58,3 +59,29 @@ def test_a_file_that_is_no_table_is_refused_in_a_sentence(lent_driver, write):
     lent_driver.window.records.analyse_file(write("empty.csv", ""))
     lent_driver.wait(lambda: lent_driver.complaints)
     assert "empty.csv" in lent_driver.complaints[0]
+
+
+def test_the_last_column_that_is_shown_fills_the_table(qtbot):
+    table = Table(("first", "last", "hidden"))
+    qtbot.addWidget(table)
+    table.resize(500, 300)
+    table.show()
+    table.fill([["a", "b", "c"]])
+    table.setColumnHidden(2, True)
+    table.resize(100, 300)
+    qtbot.waitUntil(lambda: not table.horizontalHeader().stretchLastSection())
+    table.resize(600, 300)
+    qtbot.waitUntil(lambda: table.columnWidth(0) + table.columnWidth(1) == table.viewport().width())
+
+
+def test_the_last_column_wraps_where_it_has_room_and_is_scrolled_to_where_not(qtbot):
+    table = Table(("first", "last"))
+    qtbot.addWidget(table)
+    table.resize(500, 300)
+    table.show()
+    table.fill([["a few words", "what it means, in so many words that they have no room beside the first ones at all"]])
+    qtbot.waitUntil(lambda: table.rowHeight(0) > 1.5 * table.fontMetrics().height())
+    assert not table.horizontalScrollBar().maximum()
+    table.resize(150, 300)
+    qtbot.waitUntil(lambda: table.columnWidth(1) > 500)
+    assert table.horizontalScrollBar().maximum()

@@ -22,8 +22,9 @@ _SYMBOLS: Final = {
     "cross": "x",
     "dot": "o",
 }
-_SIZE: Final = 2.2
-"""Pixels in a point of the page."""
+_SIZE: Final = 0.31
+"""Width of what has a point on the page, of that of a mark."""
+_LEAST_PX: Final = 4.0
 
 
 def plottable(sheet: Sheet) -> bool:
@@ -76,7 +77,7 @@ class PanelPlot(Plot):
             name=in_language(layer.label),
             pen=None,
             symbol=_SYMBOLS[layer.shape],
-            symbolSize=max(_SIZE * layer.size, 4.0),
+            symbolSize=max(_SIZE * self.mark_px * layer.size, _LEAST_PX),
             symbolBrush=None if layer.hollow else pg.mkBrush(colour),
             symbolPen=pg.mkPen(colour) if layer.hollow or layer.shape == "cross" else pg.mkPen(None),
         )

@@ -2,14 +2,23 @@
 
 from datetime import datetime
 
-from PySide6.QtCore import QDateTime, QLocale
+from PySide6.QtCore import QDate, QDateTime, QLocale
 
 
-def moment_text(written: str) -> str:
-    """An ISO 8601 moment as a reader is told it; empty where there is none, and as it is where it is none."""
-    try:
-        moment = datetime.fromisoformat(written)
-    except ValueError:
-        return written
+def moment_text(moment: datetime) -> str:
+    """A moment as a reader is told it."""
     shown = QDateTime.fromSecsSinceEpoch(round(moment.timestamp()))
     return QLocale().toString(shown, QLocale.FormatType.ShortFormat)
+
+
+def day_text(moment: datetime) -> str:
+    """The day of a moment, as that shows it in its own zone."""
+    return QLocale().toString(QDate(moment.year, moment.month, moment.day), QLocale.FormatType.ShortFormat)
+
+
+def written_moment_text(written: str) -> str:
+    """The same of one in ISO 8601; empty where there is none, and as it is where it is none."""
+    try:
+        return moment_text(datetime.fromisoformat(written))
+    except ValueError:
+        return written

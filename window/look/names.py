@@ -5,6 +5,7 @@ The words of the contracts (`scale_drift`) stay what they are in programmes, tab
 
 from typing import Final
 
+from tumble.drivers.tables import CHAMBER, DAQ, EXCITER, HEAD
 from tumble.messages import Message, with_wording
 from tumble.window.look.language import spoken, tr
 from tumble.window.look.shades import Shade
@@ -14,8 +15,16 @@ AIR: Final = "air_degc"
 
 
 def instrument_name(name: str) -> str:
-    """An instrument of a stand file as an operator reads it: those of every stand in words, others by their names."""
-    return {"head": tr("Dividing head"), "daq": tr("Voltmeter")}.get(name, name)
+    """An instrument of a stand file as an operator reads it: those that are usual in words, others by their names."""
+    usual = {
+        HEAD: tr("Dividing head"),
+        DAQ: tr("Voltmeter"),
+        CHAMBER: tr("Temperature chamber"),
+        EXCITER: tr("Exciter"),
+        "outer": tr("Outer axis"),
+        "inner": tr("Inner axis"),
+    }
+    return usual.get(name, name)
 
 
 def effect_name(effect: str) -> str:

@@ -33,6 +33,10 @@ from tumble.window.plots.values import Series, Values, items_of, without_unit
 
 _WIDE_LINES, _HIGH_LINES = 11, 7
 """Least size, in lines of text."""
+_MARK_LINES = 0.42
+"""Width of a mark of a point."""
+_GAP_PX = 4
+"""Between the numbers of an axis and what it is called, and around them."""
 _BAND = 0.16
 """How far a range that is drawn hides the paper, from 0 to 1."""
 
@@ -96,6 +100,7 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
             self.getAxis(side).enableAutoSIPrefix(False)
             self.getAxis(side).setStyle(maxTickLevel=1)  # a third kind of line takes as long as all others
         self.getAxis("bottom").setLabel(bottom)
+        self._make_room()
         self.entitle()
 
     def use_bottom_axis(self, axis: pg.AxisItem) -> None:
@@ -107,6 +112,11 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
     def pen(self, colour: str, width: float = 1.5, **style: Any) -> Any:  # noqa: ANN401  # a QPen
         """A pen that is as wide at every magnification."""
         return pg.mkPen(colour, width=width, **style)
+
+    @property
+    def mark_px(self) -> float:
+        """How wide to draw a point, which grows with the text."""
+        return float(_MARK_LINES * self.fontMetrics().height())
 
     @property
     def band(self) -> QColor:
@@ -226,8 +236,14 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
             axis.setTextPen(chosen.ink)
             axis.setTickFont(self.font())
             axis.label.setFont(self.font())
+        self._make_room()
         self.entitle()
         self.showGrid(x=True, y=True, alpha=0.18)
+
+    def _make_room(self) -> None:
+        """Have the numbers of the abscissa and its name below each other, at any size of text."""
+        lines = 2 if self._bottom else 1
+        self.getAxis("bottom").setHeight(lines * self.fontMetrics().height() + _GAP_PX)
 
     def entitle(self, key: str = "") -> None:
         """Put a title above the plot: the ordinate, and a `key` to what is drawn, which so never hides it."""

@@ -47,7 +47,12 @@ def style_sheet(chosen: Colours, text_scale: float, point_size: float) -> str:
     QLabel#pale {{ color: {chosen.pale}; }}
     QLabel#good {{ color: {chosen.good}; font-weight: bold; }}
     QLabel#bad {{ color: {chosen.bad}; font-weight: bold; }}
-    QTabBar::tab {{ padding: {space}px {3 * space}px; color: {chosen.ink}; border-bottom: 3px solid transparent; }}
+    QCheckBox::indicator {{ border: {max(1, space // 4)}px solid {chosen.pale}; background: {chosen.paper};
+        width: {3 * space}px; height: {3 * space}px; }}
+    QCheckBox::indicator:checked {{ background: {chosen.accent}; }}
+    QCheckBox::indicator:disabled {{ border-color: {chosen.grid}; }}
+    QTabWidget::pane {{ border: 1px solid {chosen.grid}; }}
+    QTabBar::tab {{ padding: {space}px {2 * space}px; color: {chosen.ink}; border-bottom: 3px solid transparent; }}
     QTabBar::tab:selected {{ border-bottom-color: {chosen.accent}; font-weight: bold; }}
     QTabBar::tab:hover {{ border-bottom-color: {chosen.outline}; }}
     QTabBar::tab:disabled {{ color: {chosen.disabled}; }}
@@ -61,8 +66,7 @@ def _outlines(chosen: Colours) -> str:
         {{ border: 1px solid {chosen.outline}; }}
     QProgressBar {{ text-align: center; color: {chosen.ink}; }}
     QProgressBar::chunk {{ background: {BLUE.ground}; }}
-    QCheckBox::indicator {{ border: 2px solid {chosen.outline}; width: 12px; height: 12px; }}
-    QCheckBox::indicator:checked {{ background: {chosen.accent}; }}
+    QCheckBox::indicator {{ border: 2px solid {chosen.outline}; }}
     QSplitter::handle {{ background: {chosen.grid}; }}
     QToolTip {{ border: 1px solid {chosen.outline}; }}
     """

@@ -1,5 +1,6 @@
 """Asking for a file into which a record is written."""
 
+import re
 from functools import partial
 from pathlib import Path
 from typing import Final
@@ -20,9 +21,10 @@ class Exporting(QObject):
     dialog_wanted = Signal(object)
     """`Dialog`."""
 
-    def ask(self, record_id: str) -> None:
-        """Ask into which file a record is to be written."""
-        dialog = FileDialog(tr("Export"), Path.home() / f"{record_id}.json", FORMATS, saving=True)
+    def ask(self, record_id: str, serial_number: str) -> None:
+        """Ask into which file a record of a unit is to be written, which is called after both."""
+        name = re.sub(r"[^\w.-]+", "-", serial_number).strip("-.")
+        dialog = FileDialog(tr("Export"), Path.home() / f"{name}-{record_id}.json", FORMATS, saving=True)
         dialog.chosen.connect(self._write_unless_there)
         self.dialog_wanted.emit(dialog)
 

@@ -1,10 +1,10 @@
-"""The closed loop: what was found, what is not identifiable, before and after, and the next experiment."""
+"""The closed loop: what was found, the next experiment, before and after, and what is not identifiable."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QLabel, QListWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QListWidget, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
 from tumble.window.look.language import tr
 from tumble.window.look.names import effect_name
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from tumble.calibrations.tracing.experiments import Experiment
 
 
-class LoopView(QWidget):
-    """One part below the other, those that have nothing to say left out."""
+class LoopView(QScrollArea):
+    """One part below the other, those that have nothing to say left out; what to do next is before what it was for."""
 
     experiment_wanted = Signal(str)
     """Name of the programme."""
@@ -43,24 +43,33 @@ class LoopView(QWidget):
         self.not_identifiable = _wrapped()
         self.experiments = QListWidget()
         self.experiments.setWordWrap(True)
-        self.experiments.setMinimumHeight(70)
+        self.experiments.setSizeAdjustPolicy(QListWidget.SizeAdjustPolicy.AdjustToContents)
+        self.experiments.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
         self.run_button = MotionButton(tr("Run the chosen experiment"), "F5")
         self.run_button.clicked.connect(self._run)
         self.experiments.currentRowChanged.connect(self._refresh)
         self._titles = {
             self.findings: QLabel(tr("What was found")),
-            self.comparisons: QLabel(tr("Before and after")),
             self.experiments: QLabel(tr("What to measure next")),
+            self.comparisons: QLabel(tr("Before and after")),
         }
-        layout = QVBoxLayout(self)
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        page = QWidget()
+        layout = QVBoxLayout(page)
         layout.addWidget(self.headline)
         for part, title in self._titles.items():
             title.setObjectName("heading")
             layout.addWidget(title)
             layout.addWidget(part)
-        layout.addWidget(self.run_button)
+            if part is self.experiments:
+                layout.addWidget(self.run_button)
         layout.addWidget(self.not_identifiable)
         layout.addStretch(1)
+        self.setWidget(page)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
 
     def show_loop(self, loop: LoopSummary) -> None:
         """Show that of another result."""

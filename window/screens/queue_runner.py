@@ -55,10 +55,10 @@ class QueueRunner(QObject):
         self._file = QueueFile(folder())
         self.going, self.said = False, ""
         """Whether it goes on by itself, and how it stands, in a sentence."""
-        self._of: list[tuple[Activity, int]] = []
-        """Runs that are under way, with the numbers of their entries."""
-        self._beginning: int | None = None
-        self._wanted: int | None = None
+        self._of: list[tuple[Activity, str]] = []
+        """Runs that are under way, with the ids of their entries."""
+        self._beginning: str | None = None
+        self._wanted: str | None = None
         """Entry whose unit is awaited."""
         self._seated_entry: Entry | None = None
         """One whose unit is there, and that is begun next."""
@@ -108,23 +108,23 @@ class QueueRunner(QObject):
     def add(self, job: Job, programme: str, repeats: int) -> None:
         """Add a run, as often as it is wanted; `programme` is its name or the path of its file."""
         entry = Entry(
-            number=0,
             serial_number=job.serial_number,
             programme=programme,
             operator=job.operator,
             stand=place_of(job.stand),
         )
-        self._update(lambda queue: queue.add(entry, repeats))
+        runs = entry.repeated(repeats)
+        self._update(lambda queue: queue.add(*runs))
 
-    def move(self, number: int, places: int) -> None:
+    def move(self, entry_id: str, places: int) -> None:
         """Move an entry that waits."""
-        self._update(lambda queue: queue.move(number, places))
+        self._update(lambda queue: queue.move(entry_id, places))
 
-    def remove(self, number: int) -> None:
+    def remove(self, entry_id: str) -> None:
         """Take an entry out that is not under way; one whose unit is awaited holds the queue."""
-        if number == self._wanted:
+        if entry_id == self._wanted:
             self.hold()
-        self._update(lambda queue: queue.remove(number))
+        self._update(lambda queue: queue.remove(entry_id))
 
     def clear(self) -> None:
         """Take out everything that is not under way."""
@@ -156,8 +156,8 @@ class QueueRunner(QObject):
             self.refused.emit(error)
             return
         if self._seated not in ("", entry.serial_number) and not asks_first(plan):
-            self._wanted = entry.number
-            self._change(entry.number, lambda each: each.at(Stage.MOUNTING))
+            self._wanted = entry.id
+            self._change(entry.id, lambda each: each.at(Stage.MOUNTING))
             self.unit_wanted.emit(entry.serial_number)
         else:
             self._begin(entry, job)
@@ -171,32 +171,32 @@ class QueueRunner(QObject):
 
     def hear_begun(self, activity: Activity) -> None:
         """A run has the stand, begun from here or by the person."""
-        number = self._beginning
-        if number is None and isinstance(activity, Resumption):
+        entry_id = self._beginning
+        if entry_id is None and isinstance(activity, Resumption):
             entry = self.queue.of_recording(str(activity.unfinished.path.resolve()))
-            number = entry.number if entry else None
+            entry_id = entry.id if entry else None
         self._want_no_unit()
         self._seated = activity.job.serial_number
-        if number is not None:
-            self._of.append((activity, number))
+        if entry_id is not None:
+            self._of.append((activity, entry_id))
             self._file.be_present()
-            self._change(number, lambda each: each.begun(self._file.owner))
+            self._change(entry_id, lambda each: each.begun(self._file.owner))
 
     def hear_waiting(self, waiting: bool) -> None:
         """Whether the run at the stand waits for the person."""
         stage = Stage.MOUNTING if waiting else Stage.MEASURING
-        for number in [number for _, number in self._of]:
-            entry = self.queue.get(number)
+        for _, entry_id in tuple(self._of):
+            entry = self.queue.get(entry_id)
             if entry is not None and entry.stage in AT_STAND and entry.stage is not stage:
-                self._change(entry.number, lambda each: each.at(stage))
+                self._change(entry.id, lambda each: each.at(stage))
 
     def hear_recorded(self, activity: Activity, path: Path) -> None:
         """Where a run was recorded."""
-        self._change(self._number(activity), lambda each: each.recorded(path))
+        self._change(self._id(activity), lambda each: each.recorded(path))
 
     def hear_measured(self, activity: Activity) -> None:
         """A run is over, and its analysis goes on beside."""
-        self._change(self._number(activity), lambda each: each.at(Stage.ANALYSING))
+        self._change(self._id(activity), lambda each: each.at(Stage.ANALYSING))
 
     def hear_concluded(self, activity: Activity, concluded: Concluded) -> None:
         """A run has its record."""
@@ -204,12 +204,12 @@ class QueueRunner(QObject):
 
     def hear_failed(self, activity: Activity, error: BaseException) -> None:
         """A run, or its analysis, ended before its time."""
-        number = self._forget(activity)
-        entry = self.queue.get(number) if number is not None else None
+        entry_id = self._forget(activity)
+        entry = self.queue.get(entry_id) if entry_id is not None else None
         if entry is None:
             self.hear_stop()
         elif was_stopped(error):
-            self._change(entry.number, lambda each: each.at(Stage.STOPPED))
+            self._change(entry.id, lambda each: each.at(Stage.STOPPED))
             self._hold(tr("The queue is held: {unit} was stopped. F4 goes on with the next.", unit=entry.serial_number))
         else:
             self._fail(entry, str(error))
@@ -219,7 +219,7 @@ class QueueRunner(QObject):
         for path in concluded.recordings:
             entry = self.queue.of_recording(str(path.resolve()))
             if entry is not None and entry.stage in (Stage.STOPPED, Stage.FAILED) and concluded.record_id:
-                self._judge(entry.number, concluded)
+                self._judge(entry.id, concluded)
 
     def hear_stop(self) -> None:
         """Everything is told to stop."""
@@ -240,7 +240,7 @@ class QueueRunner(QObject):
         return entry
 
     def _begin(self, entry: Entry, job: Job) -> None:
-        self._beginning = entry.number
+        self._beginning = entry.id
         try:
             if not self._begin_run(Calibration(job=job, store=self._folder())):
                 self._release(entry)
@@ -249,7 +249,7 @@ class QueueRunner(QObject):
             self._beginning = None
 
     def _fail(self, entry: Entry, why: str) -> None:
-        self._change(entry.number, lambda each: each.failed(why))
+        self._change(entry.id, lambda each: each.failed(why))
         self._hold(
             tr(
                 "The queue is held: {unit} failed, as its line says. F4 goes on with the next.",
@@ -272,22 +272,22 @@ class QueueRunner(QObject):
 
     def _release(self, entry: Entry | None) -> None:
         """Have an entry wait again, for any window."""
-        self._change(entry.number if entry else None, lambda each: each.at(Stage.WAITING))
+        self._change(entry.id if entry else None, lambda each: each.at(Stage.WAITING))
 
-    def _number(self, activity: Activity) -> int | None:
-        return next((number for each, number in self._of if each is activity), None)
+    def _id(self, activity: Activity) -> str | None:
+        return next((entry_id for each, entry_id in self._of if each is activity), None)
 
-    def _forget(self, activity: Activity) -> int | None:
-        number = self._number(activity)
+    def _forget(self, activity: Activity) -> str | None:
+        entry_id = self._id(activity)
         self._of = [each for each in self._of if each[0] is not activity]
-        return number
+        return entry_id
 
-    def _judge(self, number: int | None, concluded: Concluded) -> None:
-        self._change(number, lambda each: each.judged(concluded.outcome, concluded.record_id))
+    def _judge(self, entry_id: str | None, concluded: Concluded) -> None:
+        self._change(entry_id, lambda each: each.judged(concluded.outcome, concluded.record_id))
 
-    def _change(self, number: int | None, change: Callable[[Entry], Entry]) -> None:
-        if number is not None:
-            self._update(lambda queue: queue.change(number, change))
+    def _change(self, entry_id: str | None, change: Callable[[Entry], Entry]) -> None:
+        if entry_id is not None:
+            self._update(lambda queue: queue.change(entry_id, change))
 
     def _update(self, change: Callable[[RunQueue], None]) -> None:
         """Change the queue for every window, and have it shown."""

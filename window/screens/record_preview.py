@@ -25,7 +25,7 @@ class RecordPreview(QScrollArea):
         self.shown: Preview | None = None
         self.unit, self._subject, self.verdict = PlainLabel(), PlainLabel(), PlainLabel()
         self._sign = QLabel()
-        self.values = Table((tr("parameter"), tr("value, expanded uncertainty"), tr("verdict, condition")))
+        self.values = Table((tr("parameter"), tr("Value ± U"), tr("verdict, condition")))
         self.effects, self.stand, self.warnings = PlainLabel(), PlainLabel(), PlainLabel()
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

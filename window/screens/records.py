@@ -229,7 +229,7 @@ class RecordsScreen(QWidget):
 
     def _choose_export(self) -> None:
         for record in self._chosen()[:1]:
-            self._exporting.ask(record.id)
+            self._exporting.ask(record.id, record.provenance.serial_number)
 
     def _choose_file(self) -> None:
         dialog = FileDialog(tr("Analyse a file"), Path.cwd(), tr("Recordings and tables (*.mcap *.csv)"))

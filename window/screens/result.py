@@ -18,7 +18,7 @@ from tumble.procedures.errors import InputError
 from tumble.procedures.first_method import FIRST
 from tumble.procedures.programmes import load_programme
 from tumble.window.look.language import tr
-from tumble.window.look.moments import moment_text
+from tumble.window.look.moments import written_moment_text
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.look.tints import AMBER, GREEN, GREY, RED, Tint
@@ -122,7 +122,7 @@ class ResultScreen(QWidget):
         self.verdict.style().polish(self.verdict)
         self.verdict.setText(self._verdict_text(presentation.verdict))
         origin = concluded.traced.provenance
-        measured_at = moment_text(origin.measured_at)
+        measured_at = written_moment_text(origin.measured_at)
         parts = (origin.serial_number, origin.programme_name, measured_at, origin.operator, concluded.record_id)
         self._subject.setText(" · ".join(part for part in parts if part))
         notices = notices_of(presentation)

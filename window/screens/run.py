@@ -212,7 +212,7 @@ class RunScreen(QWidget):
             self._refresh()
             self.form.await_scan()
         elif job := self._asked():
-            self.queue.add(job, self.form.programme.currentText(), self.controls.repeats.value())
+            self.queue.add(job, self.form.chosen, self.controls.repeats.value())
             self.controls.repeats.setValue(1)
             self.view.tabs.setCurrentWidget(self.queue_view)
             self.form.await_scan()

@@ -2,15 +2,14 @@
 
 from typing import Final
 
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QSpinBox, QVBoxLayout, QWidget
 
 from tumble.procedures.progress import TimeLeft
 from tumble.window.look.language import tr
 from tumble.window.look.numbers import minutes
 from tumble.window.screens.run_state import RunState
+from tumble.window.widgets.folding_row import FoldingRow
 from tumble.window.widgets.motion_button import MotionButton
-from tumble.window.widgets.splitter import Splitter
 
 _MOST_REPEATS: Final = 99
 
@@ -93,14 +92,13 @@ class RunControls(QWidget):
         queue.addStretch()
         for part in (self.repeats, self.add, self.start_queue, self.hold_queue):
             queue.addWidget(part)
-        buttons = Splitter(Qt.Orientation.Horizontal, (_row(run), _row(queue)), (3, 2))  # folds where it is narrow
         progress = QHBoxLayout()
         progress.addWidget(self.state)
         progress.addWidget(self._bar, stretch=1)
         progress.addWidget(self._left)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(buttons)
+        layout.addWidget(FoldingRow((_row(run), _row(queue))))
         layout.addWidget(self._summary)
         layout.addLayout(progress)
 

@@ -52,7 +52,7 @@ class RunCourse(QObject):
         worker.position_seen.connect(self._see)
         worker.connected.connect(lambda _: self.see_rest())
         worker.restless.connect(self.see_unrest)
-        worker.working.connect(self.changed)
+        worker.working.connect(self._see_work)
         worker.recorded.connect(self._record)
         worker.measured.connect(self._end_well)
         worker.broken_off.connect(self._end_badly)
@@ -145,6 +145,10 @@ class RunCourse(QObject):
         self.heard.emit(event)
         if isinstance(event, StateChanged) or repeatable != self.now.repeatable:
             self.changed.emit()
+
+    def _see_work(self, working: bool) -> None:
+        self.now.at_work = working
+        self.changed.emit()
 
     def _see(self, name: str, status: PositionerStatus) -> None:
         before = self.now.restless

@@ -35,6 +35,8 @@ class RunState:
 
     running: bool = False
     """Whether a run has the stand."""
+    at_work: bool = False
+    """Whether the stand carries out an order: a run, or a move by hand, or connecting."""
     concluding: int = 0
     """Runs that are over and have no result yet."""
     changing_unit: bool = False
@@ -80,6 +82,11 @@ class RunState:
         """Whether nothing goes on before the person at the stand has done something."""
         asked = self.reading and self.state is State.RUNNING
         return self.changing_unit or (self.running and (asked or self.state is State.AWAITING_OPERATOR))
+
+    @property
+    def is_over(self) -> bool:
+        """Whether nothing goes on, and nobody is asked for anything."""
+        return self.phase is Phase.IDLE and not self.waiting
 
     def change(self, state: State) -> None:
         """Take over what the engine tells."""
@@ -130,6 +137,8 @@ class RunState:
             return tr("Paused; then the last point again") if self.paused else tr("Taking the last point again")
         if self.running and self.state is State.IDLE:
             return tr("Getting ready")
+        if self.at_work and not (self.running or self.waiting):
+            return tr("At work")
         return state_name(State.AWAITING_OPERATOR if self.waiting else self.state)
 
     @property
@@ -143,4 +152,4 @@ class RunState:
             return Mood.FAULT
         if self.paused or self.pausing or (self.stopped and self.phase is Phase.IDLE):
             return Mood.PAUSED
-        return Mood.READY if self.phase is Phase.IDLE else Mood.MEASURING
+        return Mood.READY if self.phase is Phase.IDLE and not self.at_work else Mood.MEASURING

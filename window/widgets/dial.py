@@ -16,6 +16,8 @@ from tumble.window.look.theme import colours
 
 _TICK_DEG: Final = 10
 _LABEL_DEG: Final = 30
+_HIDDEN_DEG: Final = 10
+"""A label is left out where the needle is as near as that, and would lie on it."""
 _LEAST_LINES: Final = 8.5
 """Its edge in lines of text."""
 _THERE_DEG: Final = 0.01
@@ -73,13 +75,19 @@ class Dial(QWidget):
         painter.setFont(font)
         for angle_deg in range(0, 360, _TICK_DEG):
             labelled = angle_deg % _LABEL_DEG == 0
-            outer, inner = _on(radius - 3, angle_deg), _on(radius * (0.88 if labelled else 0.93), angle_deg)
+            outer, inner = _on(radius - 3, angle_deg), _on(radius * (0.91 if labelled else 0.94), angle_deg)
             painter.setPen(QPen(QColor(chosen.ink if labelled else chosen.pale), 2 if labelled else 1))
             painter.drawLine(outer, inner)
-            if labelled:
+            if labelled and not self._lies_on(angle_deg):
                 place = _on(radius * 0.78, angle_deg)
                 box = QRectF(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius)
                 painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(angle_deg))
+
+    def _lies_on(self, label_deg: int) -> bool:
+        """Whether the needle lies on the label of an angle."""
+        if self._status is None:
+            return False
+        return abs(math.remainder(self._status.angle_deg - label_deg, 360.0)) < _HIDDEN_DEG
 
     def _draw_needles(self, painter: QPainter, chosen: Colours, radius: float, status: PositionerStatus) -> None:
         painter.setPen(Qt.PenStyle.NoPen)

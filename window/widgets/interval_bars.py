@@ -14,7 +14,7 @@ INTERVALS: Final = Qt.ItemDataRole.UserRole + 8
 """A sequence of `Interval` or None."""
 _MARGIN_PX: Final = 6.0
 _LINE_PX: Final = 2.0
-_WIDE_LINES, _HIGH_LINES = 9, 1.9
+_WIDE_LINES, _HIGH_LINES = 7, 1.9
 
 
 class IntervalBars(QStyledItemDelegate):

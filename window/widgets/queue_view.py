@@ -19,10 +19,10 @@ from tumble.window.work.run_queue import UNDER_WAY, Entry, Stage
 class QueueView(QWidget):
     """A line for each run, in their order; what can be done with a line has a button and a key."""
 
-    move_wanted = Signal(int, int)
-    """Number of an entry, and by how many places."""
-    remove_wanted = Signal(int)
-    """Number of an entry."""
+    move_wanted = Signal(str, int)
+    """Id of an entry, and by how many places."""
+    remove_wanted = Signal(str)
+    """Id of an entry."""
     clear_wanted = Signal()
     record_wanted = Signal(str)
     """Id of a record."""
@@ -56,7 +56,7 @@ class QueueView(QWidget):
         self.table.fill([_line(entry) for entry in entries], [_ink(entry) for entry in entries])
         self.table.clearSelection()
         for row, entry in enumerate(entries):
-            if chosen is not None and entry.number == chosen.number:
+            if chosen is not None and entry.id == chosen.id:
                 self.table.selectRow(row)
         self.table.blockSignals(False)
         self._refresh()
@@ -99,11 +99,11 @@ class QueueView(QWidget):
 
     def _move(self, places: int) -> None:
         if self.chosen is not None:
-            self.move_wanted.emit(self.chosen.number, places)
+            self.move_wanted.emit(self.chosen.id, places)
 
     def _remove(self) -> None:
         if self.chosen is not None:
-            self.remove_wanted.emit(self.chosen.number)
+            self.remove_wanted.emit(self.chosen.id)
 
     def _open(self) -> None:
         if self.chosen is not None and self.chosen.record_id:

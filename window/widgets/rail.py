@@ -13,6 +13,7 @@ from tumble.window.look.keys import KeyedAction, key_text
 from tumble.window.look.shades import Colours
 from tumble.window.look.theme import colours
 from tumble.window.look.tints import Tint
+from tumble.window.widgets.splitter import NARROW_LINES
 
 _LINES: Final = 1.7
 """Height of a sign in lines of text."""
@@ -20,6 +21,8 @@ _LINES_ALONE: Final = 1.25
 """The same where there is no room for titles."""
 _LEAST_PX: Final = 16
 """The same where there is least room."""
+_BADGE: Final = 0.36
+"""Radius of a badge, at most, in parts of the sign that it stands at."""
 _LEAST_BUTTON_PX: Final = 28
 """Height of a button then."""
 _AROUND_PX: Final = 20
@@ -97,7 +100,7 @@ class RailButton(QToolButton):
         super().paintEvent(event)
         if self.badge is None:
             return
-        painter, radius = QPainter(self), self.fontMetrics().height() * 0.55
+        painter, radius = QPainter(self), min(0.55 * self.fontMetrics().height(), _BADGE * self.iconSize().width())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QColor(colours(self).paper))
         painter.setBrush(QColor(self.badge.tint.ground))
@@ -174,10 +177,15 @@ class Rail(QWidget):
         if event.type() == QEvent.Type.FontChange and self.buttons:
             self._name_them()
 
+    def fold(self) -> None:
+        """Leave out the titles where the window is narrow for its text."""
+        self._name_them()
+
     def _name_them(self) -> None:
         for button in self.buttons:
             button.name_it()
-        if self._needed().height() > self.height():
+        narrow = self.window().width() < NARROW_LINES * self.fontMetrics().height()
+        if narrow or self._needed().height() > self.height():
             for button in self.buttons:
                 button.show_sign((self.height() - _AROUND_PX) // len(self.buttons))
         self.updateGeometry()

@@ -1,6 +1,6 @@
 """What records are looked for."""
 
-from datetime import UTC, datetime, time
+from datetime import date, datetime, time
 
 from PySide6.QtCore import QDate, Signal
 from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QWidget
@@ -95,4 +95,4 @@ def _moment(field: QDateEdit, at: time) -> datetime | None:
     if field.date() == field.minimumDate():
         return None
     day = field.date()
-    return datetime.combine(datetime(day.year(), day.month(), day.day()).date(), at, tzinfo=UTC)
+    return datetime.combine(date(day.year(), day.month(), day.day()), at).astimezone()

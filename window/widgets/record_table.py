@@ -71,6 +71,10 @@ class RecordTable(SortableTable):
         """Those whose rows are selected, as they were found."""
         return [self._lines[number].record for number in self.chosen]
 
+    def sorted_by(self, text: str, row: int, column: int) -> str:
+        """Moments go by their time, however a language writes them."""
+        return str(self._lines[row].measured_at.timestamp()) if column == _MEASURED else text
+
     def write(self, rows: Sequence[Sequence[str]], inks: Sequence[Ink | None]) -> None:
         """Put texts and signs into the cells."""
         super().write(rows, inks)

@@ -5,11 +5,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout, QWidget
 
 from tumble.window.look.language import tr
+from tumble.window.look.moments import moment_text
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
+from tumble.window.widgets.folding_row import FoldingRow, buttons_beside
 from tumble.window.widgets.motion_button import MotionButton
 
 if TYPE_CHECKING:
@@ -45,10 +47,8 @@ class ResumeOffer(QFrame):
         self.discard_button = _button(tr("Dis&card…"), self._want_discarding)
         self.discard_button.setToolTip(tr("Its files are moved aside, and not deleted."))
         self.later_button = _button(tr("Not no&w"), self._decline)
-        layout = QHBoxLayout(self)
-        layout.addWidget(self._text, stretch=1)
-        for button in (self.button, self.analyse_button, self.discard_button, self.later_button):
-            layout.addWidget(button)
+        buttons = (self.button, self.analyse_button, self.discard_button, self.later_button)
+        QVBoxLayout(self).addWidget(FoldingRow((self._text, buttons_beside(buttons))))
 
     def text(self) -> str:
         """What it says."""
@@ -74,7 +74,7 @@ class ResumeOffer(QFrame):
         self.button.setEnabled(free)
 
     def _show(self, run: "CutOff") -> None:
-        self._run, began_at = run, f"{run.began_at.astimezone():%Y-%m-%d %H:%M}"
+        self._run = run
         self._text.setText(
             tr(
                 "Stopped: unit {unit}, programme {programme}, {points} points done at the stand {stand}, "
@@ -83,7 +83,7 @@ class ResumeOffer(QFrame):
                 programme=run.programme_name,
                 points=run.points,
                 stand=run.stand_name,
-                when=began_at,
+                when=moment_text(run.began_at),
                 why=in_language(run.ending) or tr("it broke off"),
             )
         )

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-from PySide6.QtCore import QSettings, Signal
+from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtWidgets import QComboBox, QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from tumble.app.running import Job
@@ -14,7 +14,7 @@ from tumble.procedures.errors import InputError
 from tumble.procedures.programme import Programme
 from tumble.procedures.programmes import load_programme, shipped_programmes
 from tumble.window.look.language import tr
-from tumble.window.look.plain import PlainLabel
+from tumble.window.look.plain import PlainLabel, as_tooltip
 from tumble.window.look.sentences import in_language, plan_text
 from tumble.window.widgets.dialog import FileDialog
 
@@ -38,7 +38,8 @@ class RunForm(QWidget):
         self.serial.setMaxLength(LONGEST_NAME)
         self.serial.setPlaceholderText(tr("type or scan"))
         self.serial.returnPressed.connect(self.await_scan)
-        self.programme.addItems(shipped_programmes())
+        for name in sorted(shipped_programmes(), key=_is_probe):
+            self.programme.addItem(name, name)
         self.add_programme(str(QSettings().value("run/programme", "seed")))
         self.programme.setMinimumContentsLength(14)
         self.operator.setText(str(QSettings().value("run/operator", "")))
@@ -50,7 +51,7 @@ class RunForm(QWidget):
         self.serial.textChanged.connect(self.changed)
         self.operator.editingFinished.connect(self._remember)
         self.operator.textChanged.connect(self.changed)
-        self.programme.currentTextChanged.connect(self._programme_chosen)
+        self.programme.currentIndexChanged.connect(self._programme_chosen)
 
     def plan_anew(self) -> None:
         """Say what the programme takes on the stand that is chosen."""
@@ -58,9 +59,18 @@ class RunForm(QWidget):
 
     def add_programme(self, name_or_path: str) -> None:
         """Choose a programme, one that comes along or a file."""
-        if self.programme.findText(name_or_path) < 0:
-            self.programme.addItem(name_or_path)
-        self.programme.setCurrentText(name_or_path)
+        if self.programme.findData(name_or_path) < 0:
+            path = Path(name_or_path)
+            self.programme.addItem(str(Path(path.parent.name, path.name)), name_or_path)
+            self.programme.setItemData(
+                self.programme.count() - 1, as_tooltip(name_or_path), Qt.ItemDataRole.ToolTipRole
+            )
+        self.programme.setCurrentIndex(self.programme.findData(name_or_path))
+
+    @property
+    def chosen(self) -> str:
+        """The programme that is chosen: the name of one that comes along, or the path of a file."""
+        return str(self.programme.currentData())
 
     def await_scan(self) -> None:
         """Have the next serial number take the place of the one that is there."""
@@ -70,7 +80,7 @@ class RunForm(QWidget):
     def chosen_or_shipped(self) -> Programme:
         """The programme that is chosen, or the first that comes along where that cannot be read."""
         try:
-            return load_programme(self.programme.currentText())
+            return load_programme(self.chosen)
         except InputError:
             return load_programme(shipped_programmes()[0])
 
@@ -81,7 +91,7 @@ class RunForm(QWidget):
             raise InputError(tr("There is no serial number yet: type it or scan it"))
         job = Job(
             stand=self._stand(),
-            programme=load_programme(self.programme.currentText()),
+            programme=load_programme(self.chosen),
             serial_number=serial_number,
             operator=self.operator.text().strip(),
         )
@@ -113,20 +123,23 @@ class RunForm(QWidget):
     def _programme_chosen(self) -> None:
         self._remember()
         with suppress(InputError):
-            self.method_chosen.emit(load_programme(self.programme.currentText()).method)
+            self.method_chosen.emit(load_programme(self.chosen).method)
         self._summarise()
         self.changed.emit()
 
     def _remember(self) -> None:
-        QSettings().setValue("run/programme", self.programme.currentText())
+        QSettings().setValue("run/programme", self.chosen)
         QSettings().setValue("run/operator", self.operator.text())
 
     def _summarise(self) -> None:
         try:
-            planned = Job(
-                stand=self._stand(), programme=load_programme(self.programme.currentText()), serial_number=""
-            ).plan()
+            planned = Job(stand=self._stand(), programme=load_programme(self.chosen), serial_number="").plan()
         except InputError as error:
             self.summary.setText(in_language(str(error)))
             return
         self.summary.setText(plan_text(planned))
+
+
+def _is_probe(name: str) -> bool:
+    """Whether a programme is one that the closed loop asks for: these come last."""
+    return name.startswith("probe-")

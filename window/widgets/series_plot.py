@@ -51,7 +51,13 @@ class SeriesPlot(Plot):
         if name not in self._series:
             colour, shape = self._style(name)
             filled, outline = pg.mkBrush(colour), pg.mkPen(None)  # of other kinds, a symbol is kept for every redraw
-            style = {"pen": None, "symbol": shape, "symbolSize": 7, "symbolBrush": filled, "symbolPen": outline}
+            style = {
+                "pen": None,
+                "symbol": shape,
+                "symbolSize": self.mark_px,
+                "symbolBrush": filled,
+                "symbolPen": outline,
+            }
             self._series[name] = self.plot([], [], name=self.title_of(name), **style)
         return self._series[name]
 
@@ -72,4 +78,5 @@ class SeriesPlot(Plot):
     def _restyle(self) -> None:
         for name, series in self._series.items():
             series.setSymbolBrush(pg.mkBrush(self._style(name)[0]))
+            series.setSymbolSize(self.mark_px)
         self.entitle(self._key())

@@ -14,12 +14,12 @@ _ROW: Final = Qt.ItemDataRole.UserRole
 
 
 class _Item(QTableWidgetItem):
-    """Comes before another by the numbers in their texts, and by the row that they had where these are alike."""
+    """Comes before another by the numbers in what it is sorted by, and by the row that it had where these are alike."""
 
-    def __init__(self, text: str, row: int) -> None:
+    def __init__(self, text: str, row: int, sorted_by: str) -> None:
         super().__init__(text)
         self.setData(_ROW, row)
-        self.place = _parts(text), row
+        self.place = _parts(sorted_by), row
 
     def __lt__(self, other: QTableWidgetItem) -> bool:
         assert isinstance(other, _Item), "all cells of a table are of this kind"
@@ -52,9 +52,13 @@ class SortableTable(Table):
         """Numbers of the rows that are selected, as they were filled in, the lowest first."""
         return sorted(self.number(row) for row in super().chosen)
 
-    def item_made(self, text: str, row: int) -> QTableWidgetItem:
+    def item_made(self, text: str, row: int, column: int) -> QTableWidgetItem:
         """A cell that knows its order."""
-        return _Item(text, row)
+        return _Item(text, row, self.sorted_by(text, row, column))
+
+    def sorted_by(self, text: str, row: int, column: int) -> str:  # noqa: ARG002  # for texts that do not sort
+        """What puts a cell into order: numbers in it count by their size."""
+        return text
 
 
 def _parts(text: str) -> list[tuple[int, float, str]]:

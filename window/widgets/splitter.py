@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QSplitter, QWidget
 
-_NARROW_LINES = 45
+NARROW_LINES = 45
 """A screen that is less wide than so many lines are high."""
 
 
@@ -30,7 +30,7 @@ class Splitter(QSplitter):
 
     def fold(self, width: int) -> None:
         """Put what stands beside each other below each other where a screen is narrow for its text."""
-        narrow = width < _NARROW_LINES * self.fontMetrics().height()
+        narrow = width < NARROW_LINES * self.fontMetrics().height()
         if self._across:
             self.setOrientation(Qt.Orientation.Vertical if narrow else Qt.Orientation.Horizontal)
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Final, Literal, TypeAlias
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QBrush, QColor, QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
@@ -14,6 +14,8 @@ Ink: TypeAlias = Literal["bad", "now"]
 """A colour of `Colours`, by its name there: what is written keeps its ink when others are chosen."""
 _INK: Final = Qt.ItemDataRole.UserRole + 7
 _LEAST_LINES: Final = 6
+_LAST_LINES: Final = 8
+"""Width of the last column, at least, in lines of text; with less it is as wide as its texts, and out of sight."""
 _BY_KEY: Final = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason, Qt.FocusReason.ShortcutFocusReason)
 
 
@@ -22,6 +24,8 @@ class Table(QTableWidget):
 
     def __init__(self, headings: Sequence[str], parent: QWidget | None = None) -> None:
         super().__init__(0, len(headings), parent)
+        self._fitting = QTimer(self, singleShot=True)
+        self._fitting.timeout.connect(self._fit_last)
         self.setHorizontalHeaderLabels(list(headings))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -48,7 +52,7 @@ class Table(QTableWidget):
         for number, row in enumerate(rows):
             ink = inks[number] if number < len(inks) else None
             for column, text in enumerate(row):
-                item = self.item_made(text, number)
+                item = self.item_made(text, number, column)
                 item.setToolTip(as_tooltip(text))
                 item.setData(_INK, ink)
                 self.setItem(number, column, item)
@@ -62,8 +66,8 @@ class Table(QTableWidget):
                 if item is not None and (ink := item.data(_INK)):
                     item.setForeground(QBrush(QColor(getattr(chosen, ink))))
 
-    def item_made(self, text: str, row: int) -> QTableWidgetItem:  # noqa: ARG002  # for tables that are sorted
-        """A cell of a row, by its number."""
+    def item_made(self, text: str, row: int, column: int) -> QTableWidgetItem:  # noqa: ARG002  # for tables that are sorted
+        """A cell, by its numbers."""
         return QTableWidgetItem(text)
 
     def cell(self, row: int, column: int) -> QTableWidgetItem:
@@ -76,6 +80,23 @@ class Table(QTableWidget):
         """How rows and columns find their sizes."""
         for header in (self.horizontalHeader(), self.verticalHeader()):
             header.setSectionResizeMode(mode)
+
+    def updateGeometries(self) -> None:  # noqa: N802  # Qt's name
+        """See whether the last column has room once the others have found their places."""
+        super().updateGeometries()
+        self._fitting.start()
+
+    def _fit_last(self) -> None:
+        """Wrap in the last column only where there is room for words."""
+        header = self.horizontalHeader()
+        last = max((each for each in range(self.columnCount()) if not self.isColumnHidden(each)), default=0)
+        room = self.viewport().width() - header.sectionPosition(last)
+        has_room = room >= _LAST_LINES * self.fontMetrics().height()
+        if header.stretchLastSection() and not has_room:
+            header.setStretchLastSection(False)
+            header.resizeSections(QHeaderView.ResizeMode.ResizeToContents)
+        elif has_room:
+            header.setStretchLastSection(True)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
         """Copy whole rows, as a spreadsheet takes them; Enter is left to whoever has connected `itemActivated`."""

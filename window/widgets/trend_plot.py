@@ -14,6 +14,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.window.look.language import tr
+from tumble.window.look.moments import day_text
 from tumble.window.look.numbers import local
 from tumble.window.look.plots import LocalAxis, Plot
 from tumble.window.plots.values import Series
@@ -35,7 +36,7 @@ class TrendPlot(QWidget):
         self.plot = Plot("", "")
         self._dates, self._numbers = pg.DateAxisItem(orientation="bottom"), LocalAxis(orientation="bottom")
         self._bars = pg.ErrorBarItem(beam=0)
-        self._marks = pg.ScatterPlotItem(size=9)
+        self._marks = pg.ScatterPlotItem()
         self.records: Sequence[Record] = ()
         """Those that are drawn, as far as they have a value."""
         self.drawn = 0
@@ -116,6 +117,7 @@ class TrendPlot(QWidget):
         styles = dict(zip(distinct, zip(shades, SIGNS, strict=False), strict=False))
         other = (self.plot.colours.pale, "o")
         drawn = [styles.get(unit, other) for unit in units]
+        self._marks.setSize(self.plot.mark_px)
         self._marks.setData(x, y, brush=[shade for shade, _ in drawn], symbol=[shape for _, shape in drawn], pen=None)
         told = [(shade, SIGNS[shape], unit) for unit, (shade, shape) in styles.items()]
         rest = [tr("and {count} more", count=len(distinct) - len(styles))] if len(distinct) > len(styles) else []
@@ -126,8 +128,9 @@ class TrendPlot(QWidget):
         """What is drawn to the right; the ticks of a short time are hours, which say no day."""
         if self.over.currentData() != "time" or not records:
             return self.over.currentText()
-        days = sorted({f"{_moment(record).astimezone():%Y-%m-%d}" for record in records})
-        return f"{self.over.currentText()}, {' – '.join(dict.fromkeys((days[0], days[-1])))}"
+        moments = [_moment(record).astimezone() for record in records]
+        days = dict.fromkeys(map(day_text, (min(moments), max(moments))))
+        return f"{self.over.currentText()}, {' – '.join(days)}"
 
     def _places(self, records: Sequence[Record]) -> "np.ndarray[tuple[int], np.dtype[np.float64]]":
         """Where records stand on the abscissa, which is dressed for it."""

@@ -25,6 +25,9 @@ class ComparedLine:
     ratio: str
     """The difference in its standard uncertainties."""
     sentence: str
+    """All of that in words."""
+    conclusion: str
+    """What the difference means, or why there is none."""
     intervals: tuple[Interval | None, Interval | None]
     """Of both, to be drawn on one axis; None where there is none, or where both are of different units."""
 

@@ -4,17 +4,21 @@ from tumble.calibrations.core.quantities import format_quantity
 from tumble.calibrations.records.compare import Difference, compare
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
-from tumble.window.look.moments import moment_text
+from tumble.window.look.moments import written_moment_text
 from tumble.window.look.numbers import local
 from tumble.window.look.sentences import in_language
 from tumble.window.work.compared import ComparedLine, Comparison, Interval
 from tumble.window.work.preview import value_text
+from tumble.window.work.record_words import programme_text
 
 
 def comparison(first: Record, second: Record) -> Comparison:
     """Hold the values to use against each other. Raises `RecordError` where the records are of different methods."""
     lines = [_line(each, first.values.get(each.name), second.values.get(each.name)) for each in compare(first, second)]
-    return Comparison(first=_called(first), second=_called(second), lines=lines)
+    moments = [written_moment_text(each.provenance.measured_at) for each in (first, second)]
+    beside = map(programme_text, (first, second)) if moments[0] == moments[1] else moments
+    called = [_called(record, text) for record, text in zip((first, second), beside, strict=True)]
+    return Comparison(first=called[0], second=called[1], lines=lines)
 
 
 def _line(found: Difference, a: RecordedParameter | None, b: RecordedParameter | None) -> ComparedLine:
@@ -25,6 +29,7 @@ def _line(found: Difference, a: RecordedParameter | None, b: RecordedParameter |
         difference=_difference(found),
         ratio="" if found.significance is None else local(f"{found.significance:+.2f}"),
         sentence=in_language(found.sentence),
+        conclusion=in_language(found.conclusion),
         intervals=(_interval(a, found.unit), _interval(b, found.unit)),
     )
 
@@ -46,6 +51,6 @@ def _told(parameter: RecordedParameter | None) -> str:
     return in_language(value_text(parameter)) if parameter else ""
 
 
-def _called(record: Record) -> str:
-    origin = record.provenance
-    return ", ".join(filter(None, (origin.serial_number, moment_text(origin.measured_at))))
+def _called(record: Record, text: str) -> str:
+    """By its unit, and by what tells it from the other one."""
+    return ", ".join(filter(None, (record.provenance.serial_number, text)))

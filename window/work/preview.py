@@ -8,10 +8,10 @@ from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.messages import Message
-from tumble.window.look.moments import moment_text
+from tumble.window.look.moments import written_moment_text
 from tumble.window.look.sentences import in_language
 from tumble.window.look.verdicts import verdict_words
-from tumble.window.work.record_words import findings_in, stand_words
+from tumble.window.work.record_words import findings_in, programme_text, stand_words
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,7 +33,7 @@ class Preview:
 def preview(record: Record) -> Preview:
     """Put a record into words."""
     origin = record.provenance
-    subject = (origin.programme_name, moment_text(origin.measured_at), origin.operator)
+    subject = (programme_text(record), written_moment_text(origin.measured_at), origin.operator)
     return Preview(
         unit=origin.serial_number,
         subject=" · ".join(filter(None, subject)),

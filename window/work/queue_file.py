@@ -24,7 +24,8 @@ from tumble.window.work.presence import Presence, is_held
 from tumble.window.work.run_queue import Entry, RunQueue
 
 NAME: Final = "queue.json"
-_SCHEMA: Final = "tumble.queue/1"
+_SCHEMA: Final = "tumble.queue/2"
+_READ: Final = ("tumble.queue/1", _SCHEMA)
 _CHANGE_S: Final = 0.1
 """How long a change waits for another window, which has the file for some milliseconds; the person waits as long."""
 _CLAIM_S: Final = 0.5
@@ -229,11 +230,11 @@ class QueueFile:
 
 
 def _entries(document: dict[str, Any]) -> list[Entry]:
-    if document["schema"] != _SCHEMA:
+    if document["schema"] not in _READ:
         raise ValueError(document["schema"])
     entries = [Entry.from_json(kept) for kept in document["entries"]]
-    if len({entry.number for entry in entries}) < len(entries):
-        raise ValueError("two entries have one number")
+    if len({entry.id for entry in entries}) < len(entries):
+        raise ValueError("two entries have one id")
     return entries
 
 

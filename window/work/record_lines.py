@@ -2,15 +2,24 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from datetime import UTC, datetime
 
 from tumble.app.headline import headline
 from tumble.calibrations.core.quantities import format_in_unit
 from tumble.calibrations.core.verdict import Model
 from tumble.calibrations.records.record import Record
+from tumble.window.look.moments import moment_text
 from tumble.window.look.numbers import local
 from tumble.window.look.sentences import in_language
 from tumble.window.look.verdicts import verdict_words
-from tumble.window.work.record_words import Findings, StandState, findings_in, stand_state, stand_words
+from tumble.window.work.record_words import (
+    Findings,
+    StandState,
+    findings_in,
+    programme_text,
+    stand_state,
+    stand_words,
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -20,7 +29,8 @@ class RecordLine:
     record: Record
     method: str
     """What its method measures, in words."""
-    measured: str
+    measured_at: datetime
+    """When; of a record that does not say it, when it was made."""
     result: str
     """The parameter that stands for it."""
     findings: Findings
@@ -33,8 +43,8 @@ class RecordLine:
         origin = self.record.provenance
         return (
             origin.serial_number,
-            origin.programme_name,
-            self.measured,
+            programme_text(self.record),
+            moment_text(self.measured_at),
             verdict_words(self.record.verdict.outcome),
             self.result,
             str(self.findings.count),
@@ -51,16 +61,21 @@ def lines_of(records: Sequence[Record], titles: Mapping[str, str]) -> tuple[Reco
 
 
 def _line(record: Record, title: str) -> RecordLine:
-    measured_at = record.provenance.measured_at or f"{record.created_at:%Y-%m-%dT%H:%M}"
     return RecordLine(
         record=record,
         method=in_language(title),
-        measured=measured_at.replace("T", " ")[:16],
+        measured_at=_measured_at(record),
         result=f"⚠ {_headline(record)}" if unsettled(record) else _headline(record),
         findings=findings_in(record),
         stand=stand_state(record),
         stand_words=in_language(stand_words(record)),
     )
+
+
+def _measured_at(record: Record) -> datetime:
+    written = record.provenance.measured_at
+    moment = datetime.fromisoformat(written) if written else record.created_at
+    return moment if moment.tzinfo else moment.replace(tzinfo=UTC)
 
 
 def unsettled(record: Record) -> bool:

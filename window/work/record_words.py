@@ -78,3 +78,9 @@ def _drivers(record: Record) -> Iterator[str]:
 
 def _names_a_driver(table: object) -> bool:
     return isinstance(table, dict) and "driver" in table
+
+
+def programme_text(record: Record) -> str:
+    """The programme of a record, and how many files beside that of the first run are taken together with it."""
+    origin = record.provenance
+    return f"{origin.programme_name} + {further}" if (further := len(origin.sources) - 1) > 0 else origin.programme_name

@@ -1,10 +1,11 @@
 """Runs that are to be measured one after the other, and what became of each."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import Any, Final
+from uuid import uuid4
 
 from tumble.calibrations.core.verdict import Outcome
 
@@ -32,8 +33,8 @@ UNDER_WAY: Final = AT_STAND | {Stage.ANALYSING}
 class Entry:
     """A run of a unit."""
 
-    number: int
-    """Of the entry, unlike that of any other in its queue."""
+    id: str = field(default_factory=lambda: uuid4().hex)
+    """Of the entry, unlike that of any other that a window has ever made."""
     serial_number: str
     programme: str
     """Name of one that comes along, or path of its file."""
@@ -52,6 +53,10 @@ class Entry:
     recording: str = ""
     """Path, once there is one."""
     record_id: str = ""
+
+    def repeated(self, times: int) -> tuple["Entry", ...]:
+        """So many runs of it, each an entry of its own."""
+        return tuple(replace(self, id=uuid4().hex, repeat=repeat, repeats=times) for repeat in range(1, times + 1))
 
     def at(self, stage: Stage) -> "Entry":
         """The same, so far; where it is not under way, no window carries it out."""
@@ -79,13 +84,25 @@ class Entry:
 
     @classmethod
     def from_json(cls, kept: dict[str, Any]) -> "Entry":
-        """An entry as it was kept; what a later version adds is passed over. Raises `TypeError`, `ValueError`."""
+        """An entry as it was kept; what a later version adds is passed over, and the first one had numbers for ids.
+
+        Raises `KeyError`, `TypeError`, `ValueError`.
+        """
+        kept = kept if "id" in kept else kept | {"id": str(kept["number"])}
         outcome, known = kept.get("outcome"), {each.name: kept[each.name] for each in fields(cls) if each.name in kept}
         entry = cls(**known | {"stage": Stage(kept["stage"]), "outcome": Outcome(outcome) if outcome else None})
-        texts = (entry.serial_number, entry.programme, entry.operator, entry.stand, entry.recording, entry.record_id)
+        texts = (
+            entry.id,
+            entry.serial_number,
+            entry.programme,
+            entry.operator,
+            entry.stand,
+            entry.recording,
+            entry.record_id,
+        )
         if not all(isinstance(text, str) for text in (*texts, entry.said, entry.owner)):
             raise TypeError("a text is none")
-        if not all(isinstance(number, int) for number in (entry.number, entry.repeat, entry.repeats)):
+        if not all(isinstance(number, int) for number in (entry.repeat, entry.repeats)):
             raise TypeError("a number is none")
         return entry
 
@@ -96,19 +113,17 @@ class RunQueue:
     def __init__(self, entries: Iterable[Entry] = ()) -> None:
         self.entries = list(entries)
 
-    def add(self, entry: Entry, repeats: int = 1) -> None:
-        """Add a run, as often as it is wanted, at the end."""
-        for repeat in range(1, repeats + 1):
-            number = max((each.number for each in self.entries), default=0) + 1
-            self.entries.append(replace(entry, number=number, repeat=repeat, repeats=repeats))
+    def add(self, *entries: Entry) -> None:
+        """Add runs at the end, those that are not there."""
+        self.entries += [entry for entry in entries if self.get(entry.id) is None]
 
-    def get(self, number: int) -> Entry | None:
-        """The entry of a number; None where it was removed."""
-        return next((entry for entry in self.entries if entry.number == number), None)
+    def get(self, entry_id: str) -> Entry | None:
+        """The entry of an id; None where it was removed."""
+        return next((entry for entry in self.entries if entry.id == entry_id), None)
 
-    def change(self, number: int, change: Callable[[Entry], Entry]) -> None:
+    def change(self, entry_id: str, change: Callable[[Entry], Entry]) -> None:
         """Put what becomes of an entry in its place, unless it was removed meanwhile."""
-        self.entries = [change(entry) if entry.number == number else entry for entry in self.entries]
+        self.entries = [change(entry) if entry.id == entry_id else entry for entry in self.entries]
 
     @property
     def waiting(self) -> int:
@@ -120,7 +135,7 @@ class RunQueue:
         waiting = (each for each in self.entries if each.stage is Stage.WAITING and each.stand == stand)
         entry = next(waiting, None)
         if entry is not None:
-            self.change(entry.number, lambda each: each.begun(owner))
+            self.change(entry.id, lambda each: each.begun(owner))
         return entry
 
     def settle(self, is_open: Callable[[str], bool]) -> None:
@@ -134,18 +149,18 @@ class RunQueue:
         """The entry that a recording belongs to."""
         return next((entry for entry in self.entries if entry.recording == path), None)
 
-    def move(self, number: int, places: int) -> None:
+    def move(self, entry_id: str, places: int) -> None:
         """Move an entry that waits up or down among those that wait."""
         waiting = [place for place, entry in enumerate(self.entries) if entry.stage is Stage.WAITING]
-        here = next((rank for rank, place in enumerate(waiting) if self.entries[place].number == number), None)
+        here = next((rank for rank, place in enumerate(waiting) if self.entries[place].id == entry_id), None)
         if here is None or not 0 <= here + places < len(waiting):
             return
         one, other = waiting[here], waiting[here + places]
         self.entries[one], self.entries[other] = self.entries[other], self.entries[one]
 
-    def remove(self, number: int) -> None:
+    def remove(self, entry_id: str) -> None:
         """Take an entry out that is not under way."""
-        self._keep(lambda entry: entry.number != number)
+        self._keep(lambda entry: entry.id != entry_id)
 
     def clear(self) -> None:
         """Take out everything that is not under way."""

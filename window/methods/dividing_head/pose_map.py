@@ -133,7 +133,7 @@ class PoseMap(Overview):
         painter.setPen(to_come)
         painter.setBrush(hollow)
         for (pose, planned), place in zip(self._planned.items(), self._places(cells), strict=True):
-            share, size = self._done.get(pose, 0) / planned, _size(cells[pose[0]])
+            share, size = self._done.get(pose, 0) / planned, self._size_in(cells[pose[0]])
             if not share:
                 painter.drawEllipse(place, size, size)
                 continue
@@ -158,9 +158,9 @@ class PoseMap(Overview):
         corners = [QPointF(0, -size), QPointF(size, 0), QPointF(0, size), QPointF(-size, 0)]
         painter.drawPolygon(QPolygonF([place + corner for corner in corners]))
 
-
-def _size(cell: Cell) -> float:
-    return max(2.2, min(5.0, cell.radius * 0.06))
+    def _size_in(self, cell: Cell) -> float:
+        """Half of the width of a pose, in pixels."""
+        return max(2.2, min(0.3 * self.fontMetrics().height(), cell.radius * 0.06))
 
 
 def _on(cell: Cell, angle_deg: float) -> QPointF:

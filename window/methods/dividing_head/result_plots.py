@@ -3,11 +3,12 @@
 from collections.abc import Mapping
 
 import pyqtgraph as pg
-from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFormLayout, QVBoxLayout, QWidget
 
 from tumble.window.look.language import tr
 from tumble.window.methods.dividing_head.presenting import Rows, models_of
 from tumble.window.methods.dividing_head.run_plots import AnglePlot, OutputPlot
+from tumble.window.widgets.folding_row import FoldingRow
 from tumble.window.work.presentation import Presentation
 
 
@@ -33,14 +34,9 @@ class ResidualFigure(QWidget):
         self._band.setZValue(-10)
         self.plot.addItem(self._band)
         self._models: Mapping[str, Rows] = {}
-        choice = QHBoxLayout()
-        for title, box in ((tr("&Model"), self.model), (tr("A&gainst"), self.against)):
-            form = QFormLayout()
-            form.addRow(title, box)
-            choice.addLayout(form)
-        choice.addStretch(1)
+        choice = FoldingRow((_choice(tr("&Model"), self.model), _choice(tr("A&gainst"), self.against)))
         layout = QVBoxLayout(self)
-        layout.addLayout(choice)
+        layout.addWidget(choice)
         layout.addWidget(self.plot, stretch=1)
         self.model.currentIndexChanged.connect(self._draw)
         self.against.currentIndexChanged.connect(self._draw)
@@ -87,3 +83,13 @@ class ResidualFigure(QWidget):
         self._band.setBrush(self.plot.band)
         for line in self._band.lines:
             line.setPen(self.plot.pen(self.plot.colours.grid, 1))
+
+
+def _choice(title: str, box: QComboBox) -> QWidget:
+    """A choice with its title before it."""
+    titled = QWidget()
+    form = QFormLayout(titled)
+    form.setContentsMargins(0, 0, 0, 0)
+    form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.FieldsStayAtSizeHint)
+    form.addRow(title, box)
+    return titled

@@ -16,6 +16,8 @@ from tumble.window.methods.dividing_head.mounts import mount_name
 from tumble.window.widgets.series_plot import SeriesPlot
 
 _MICRO: Final = 1e6
+_RING: Final = 2.4
+"""Width of a ring around a mark, of that of the mark."""
 
 
 class AnglePlot(SeriesPlot):
@@ -75,7 +77,7 @@ class ResidualPlot(AnglePlot):
         super().__init__(left=tr("residual (µV)"), parent=parent)
         self.setXLink(above)
         self._band = pg.LinearRegionItem((0, 0), orientation="horizontal", movable=False)
-        self._rings = pg.ScatterPlotItem(size=17, brush=None)
+        self._rings = pg.ScatterPlotItem(brush=None)
         self._band.setZValue(-10)
         self.addItem(self._band)
         self.addItem(self._rings)
@@ -105,3 +107,4 @@ class ResidualPlot(AnglePlot):
         for line in self._band.lines:
             line.setPen(self.pen(self.colours.grid, 1))
         self._rings.setPen(self.pen(self.colours.bad, 2.5))
+        self._rings.setSize(_RING * self.mark_px)
