@@ -6,6 +6,7 @@ Everything on them is measured on simulated stands while they are taken.
 
 import argparse
 from collections.abc import Callable
+from contextlib import chdir
 from pathlib import Path
 from shutil import copytree
 from typing import Final
@@ -19,7 +20,7 @@ from tumble.window.look.shades import Shade
 from tumble.window.main_window import MainWindow
 from tumble.window.start import Application
 
-_SAMPLES: Final = Path("docs/samples")
+_SAMPLES: Final = Path("docs/samples").resolve()
 _SIZE: Final = (1280, 800)
 _WITHIN_S: Final = 20.0
 _AT_ONCE, _AS_IT_IS = 0, 1
@@ -70,8 +71,9 @@ class Album:
     """A window, what is done with it for a picture, and where that goes."""
 
     def __init__(self, running: Application, hands: Hands, folder: Path, pictures: Path) -> None:
-        self._running, self._hands, self._folder, self._pictures = running, hands, folder, pictures
-        self._samples = Path(copytree(_SAMPLES, folder / "samples"))
+        self._running, self._hands, self._pictures = running, hands, pictures
+        copytree(_SAMPLES, folder / "samples")
+        self._samples = Path("samples")
 
     @property
     def window(self) -> MainWindow:
@@ -228,7 +230,8 @@ class Album:
             pass
 
     def _file(self, name: str, text: str) -> Path:
-        path = self._folder / name
+        """A file beside the store, called as one would from there: pictures show no folder of this machine."""
+        path = Path(name)
         path.write_text(text, encoding="utf-8")
         return path
 
@@ -245,9 +248,9 @@ def main() -> None:
     """Take the pictures."""
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("pictures", type=Path, help="folder that they are written to")
-    pictures: Path = arguments.parse_args().pictures
+    pictures: Path = arguments.parse_args().pictures.resolve()
     pictures.mkdir(parents=True, exist_ok=True)
-    with window_in_english() as (running, hands, folder):
+    with window_in_english() as (running, hands, folder), chdir(folder):
         Album(running, hands, folder, pictures).fill()
 
 
