@@ -6,7 +6,8 @@ from typing import Final
 import click
 
 from tumble.app.commands import options
-from tumble.app.control_file import SUFFIX, ControlFile
+from tumble.app.control_file import SUFFIX, ControlFile, deaf
+from tumble.app.files import check_recording_name
 from tumble.app.terminal import say
 from tumble.app.wishes import MOST_PAUSED_MIN, Wish
 from tumble.messages import Message
@@ -35,15 +36,23 @@ def command(wish: str, recording: Path | None, folder: Path, at_most_min: float)
     RECORDING is what the run writes; without it, it is the only run under way in --store. Everything stands while a run
     is paused, which may last until samples that are being taken are there.
     """
-    file = ControlFile(recording) if recording else _only_one(folder)
+    file = _named(recording) if recording else _only_one(folder)
     line = f"{wish} {at_most_min:g}" if wish == Wish.PAUSE else wish
     try:
         heard = file.tell(line, PATIENCE_S)
-    except (FileNotFoundError, FileExistsError) as error:
+    except FileNotFoundError as error:
         raise _nobody(file) from error
+    except OSError as error:
+        raise InputError(deaf(file, error)) from error
     if not heard:
         raise _nobody(file)
     say(Message("{path}: heard", path=file.path), err=True)
+
+
+def _named(recording: Path) -> ControlFile:
+    """Of the run that writes a recording. Raises `InputError`."""
+    check_recording_name(recording)
+    return ControlFile(recording)
 
 
 def _only_one(folder: Path) -> ControlFile:

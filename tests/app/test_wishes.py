@@ -1,5 +1,6 @@
 """What is wanted of a run that no window watches: typed at its terminal, or told by `tumble control`."""
 
+import errno
 import io
 import signal
 import sys
@@ -7,6 +8,7 @@ import threading
 import time
 from dataclasses import replace
 from functools import partial
+from unittest.mock import Mock
 
 import pytest
 from app_jobs import tumble
@@ -180,7 +182,8 @@ def test_the_control_file_is_there_as_long_as_the_run(unattended):
     assert not unattended.file.path.exists()
 
 
-def test_what_else_has_its_name_is_left_alone(unattended, capsys):
+def test_what_else_has_its_name_is_left_alone(unattended, capsys, monkeypatch):
+    monkeypatch.setattr("tumble.app.commands.control.PATIENCE_S", 0.1)
     unattended.file.path.write_text("of the lab's own\n")
     unattended.at = {2: partial(time.sleep, 2 * LOOK_S)}
     assert unattended().reason is FinishReason.COMPLETED
@@ -213,7 +216,7 @@ def test_what_says_nothing_clear_is_not_heeded(tmp_path, garbage):
 def test_bytes_that_are_no_text_are_not_heeded(tmp_path):
     file, said = ControlFile(tmp_path / "x.mcap"), []
     file.open()
-    file.path.write_bytes(b"\xff\xfe\x00stop\n")
+    file.path.write_bytes(b"\xfe\xff\x00stop\n")
     Wishes(Control(), said.append).told(*file.taken())
     assert len(said) == 1
 
@@ -233,14 +236,47 @@ def test_after_a_break_the_last_point_is_the_one_before_it():
 
 
 def test_a_pause_that_was_ended_does_not_end_the_run():
-    control, moments_s = Control(), iter([0.0, 3599.0, 7200.0])
-    wishes = Wishes(control, pytest.fail, lambda: next(moments_s))
+    control, now_s = Control(), [0.0]
+    wishes = Wishes(control, pytest.fail, lambda: now_s[0])
     wishes.told("pause")
+    wishes(StateChanged(state=State.PAUSED))
+    now_s[0] = 3599.0
     wishes.watch()
     assert control.pause_wanted()
     wishes.told("continue")
+    now_s[0] = 7200.0
     wishes.watch()
     assert not control.stop_wanted()
+
+
+def test_a_pause_begins_once_everything_stands():
+    control, now_s = Control(), [0.0]
+    wishes = Wishes(control, pytest.fail, lambda: now_s[0])
+    wishes.told("pause 1")
+    now_s[0] = 300.0  # samples are being taken
+    wishes.watch()
+    assert not control.stop_wanted()
+    wishes(StateChanged(state=State.PAUSED))
+    now_s[0] = 361.0
+    wishes.watch()
+    assert control.stop_wanted()
+
+
+def test_what_cannot_be_said_keeps_no_wish_from_being_heeded(unattended, monkeypatch):
+    monkeypatch.setattr("tumble.app.listening.say", Mock(side_effect=OSError(errno.ENOSPC, "no space")))
+    unattended.at = {2: partial(unattended.told, "dance\nstop")}
+    assert unattended().reason is FinishReason.STOPPED
+
+
+def test_a_run_whose_control_file_was_taken_away_can_be_told_again(unattended):
+    def take_away():
+        until(unattended.file.path.exists)
+        unattended.file.path.unlink()
+        until(unattended.file.path.exists)
+        unattended.told("stop")
+
+    unattended.at = {2: take_away}
+    assert unattended().reason is FinishReason.STOPPED
 
 
 class TestTheCommand:
