@@ -1,5 +1,8 @@
 """Lines that somebody types, or that come from a file or a pipe."""
 
+import errno
+import os
+import time
 from collections.abc import Callable
 from queue import Empty, Queue
 from threading import Thread
@@ -9,6 +12,8 @@ from tumble.messages import Message
 
 _MOST: Final = 100
 """Lines that wait to be taken."""
+_AWAY_S: Final = 0.2
+"""From one attempt to the next at a terminal whose foreground is another's, in real time."""
 
 
 class Typed:
@@ -51,13 +56,24 @@ class Typed:
 
     def _read(self) -> None:
         try:
-            for line in self._lines:
-                if not (self.is_terminal and self.overhear(line)):
-                    self._keep(line)
+            while self._refused():
+                time.sleep(_AWAY_S)
         except Exception as error:  # nobody would see it in this thread
             self.trouble = Message("{kind}: {error}", kind=type(error).__name__, error=error)
         finally:
             self._waiting.put(None)
+
+    def _refused(self) -> bool:
+        """Read to the end of the lines, or until a terminal refuses them for now: its foreground is another's."""
+        try:
+            for line in self._lines:
+                if not (self.is_terminal and self.overhear(line)):
+                    self._keep(line)
+        except OSError as error:
+            if error.errno == errno.EIO and self.is_terminal and os.isatty(self._lines.fileno()):
+                return True
+            raise
+        return False
 
     def _keep(self, line: str) -> None:
         """Have a line wait; of a terminal that nobody asks the oldest gives way, so that it is heard on."""
