@@ -1,6 +1,7 @@
 """The file by which a run is told what is wanted of it: `RUN.control`, beside its recording, while the run lasts.
 
 Whoever wants something writes one line into it, a word of `tumble.app.wishes`; the run heeds it and empties the file.
+An empty line only asks whether a run hears.
 """
 
 import errno
@@ -97,7 +98,7 @@ class ControlFile:
 
     def _check_is_its_own(self, stream: IO[bytes]) -> None:
         """Make sure that nothing stands in it but wishes. Raises `FileExistsError`."""
-        if _size(stream) > _MOST_BYTES or not all(map(is_wish, _lines(_end_of(stream)))):
+        if _size(stream) > _MOST_BYTES or not all(map(is_wish, filter(str.strip, _lines(_end_of(stream))))):
             raise self._of_somebody_else()
 
     def _of_somebody_else(self) -> FileExistsError:

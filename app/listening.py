@@ -73,7 +73,7 @@ def _overhear(typed: Typed, wishes: Wishes, stack: ExitStack) -> None:
 
 def _listen(file: ControlFile, wishes: Wishes, over: threading.Event) -> None:
     while not over.wait(LOOK_S):
-        for line in _taken(file):
+        for line in filter(str.strip, _taken(file)):
             wishes.told(line)
         wishes.watch()
 

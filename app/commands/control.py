@@ -1,5 +1,6 @@
 """`tumble control`: have a run under way pause, go on, take its last point again, or stop."""
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Final
 
@@ -57,15 +58,26 @@ def _named(recording: Path) -> ControlFile:
 
 def _only_one(folder: Path) -> ControlFile:
     """Of the only run under way in a store. Raises `InputError`."""
-    found = sorted(folder.glob(f"recordings/*/*{SUFFIX}"))
-    if not found:
+    files = [ControlFile(path) for path in sorted(folder.glob(f"recordings/*/*{SUFFIX}"))]
+    if len(files) > 1:
+        files = list(filter(_is_heard, files))
+    if not files:
         raise InputError(
             Message("{folder}: no run is under way there; name its recording, or its --store", folder=folder)
         )
-    if len(found) > 1:
-        paths = ", ".join(map(str, found))
+    if len(files) > 1:
+        paths = ", ".join(str(file.path) for file in files)
         raise InputError(Message("several runs are under way ({paths}); name the recording of one", paths=paths))
-    return ControlFile(found[0])
+    return files[0]
+
+
+def _is_heard(file: ControlFile) -> bool:
+    """Whether a run hears; the file of one that was killed is cleared away."""
+    with suppress(OSError):
+        if file.tell("", PATIENCE_S):
+            return True
+        file.close()
+    return False
 
 
 def _nobody(file: ControlFile) -> InputError:

@@ -6,6 +6,7 @@ import signal
 import sys
 import threading
 import time
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from functools import partial
 from unittest.mock import Mock
@@ -99,6 +100,27 @@ def unattended(tiny, tmp_path):
 def later(do):
     """Do something in a thread, which the run does not wait for."""
     return lambda: threading.Thread(target=do, daemon=True).start()
+
+
+@contextmanager
+def hearing(recording):
+    """Take what a run is told, each within a moment; yields the lines."""
+    file = ControlFile(recording)
+    recording.parent.mkdir(parents=True, exist_ok=True)
+    file.open()
+    lines, over = [], threading.Event()
+
+    def listen():
+        while not over.wait(0.01):
+            lines.extend(file.taken())
+
+    ear = threading.Thread(target=listen)
+    ear.start()
+    try:
+        yield lines
+    finally:
+        over.set()
+        ear.join()
 
 
 def until(holds):
@@ -221,6 +243,12 @@ def test_bytes_that_are_no_text_are_not_heeded(tmp_path):
     assert len(said) == 1
 
 
+def test_an_empty_line_only_asks_whether_somebody_hears(unattended, capsys):
+    unattended.at = {2: partial(unattended.told, "")}
+    assert unattended().reason is FinishReason.COMPLETED
+    assert capsys.readouterr().err == ""
+
+
 def test_without_a_point_none_is_taken_again():
     control, said = Control(), []
     assert Wishes(control, said.append).typed("again\n")
@@ -283,22 +311,14 @@ class TestTheCommand:
     """`tumble control`."""
 
     @pytest.fixture
-    def heard(self, tmp_path):
-        """What a run in a store hears, each within a moment."""
-        file = ControlFile(tmp_path / "recordings" / "SN1" / "a.mcap")
-        file.path.parent.mkdir(parents=True)
-        file.open()
-        lines, over = [], threading.Event()
+    def runs(self, tmp_path):
+        """Begins to listen for the run of a recording in a store; returns the list of what that hears."""
+        with ExitStack() as stack:
+            yield lambda name: stack.enter_context(hearing(tmp_path / "recordings" / "SN1" / name))
 
-        def listen():
-            while not over.wait(0.01):
-                lines.extend(file.taken())
-
-        ear = threading.Thread(target=listen)
-        ear.start()
-        yield lines
-        over.set()
-        ear.join()
+    @pytest.fixture
+    def heard(self, runs):
+        return runs("a.mcap")
 
     def test_tells_the_only_run_of_a_store(self, heard, tmp_path):
         assert tumble("control", "pause", "--store", tmp_path).status == 0
@@ -320,8 +340,17 @@ class TestTheCommand:
             assert "no run of the command line hears there" in told.complaint
             assert not file.path.exists()
 
-    def test_says_where_no_run_is_under_way_and_where_several_are(self, heard, tmp_path):
+    def test_says_where_no_run_is_under_way_and_where_several_are(self, heard, runs, tmp_path):
         assert "no run is under way there" in tumble("control", "stop", "--store", tmp_path / "other").complaint
-        ControlFile(tmp_path / "recordings" / "SN1" / "b.mcap").open()
+        also_heard = runs("b.mcap")
         assert "several runs are under way" in tumble("control", "stop", "--store", tmp_path).complaint
-        assert heard == []
+        assert [line for line in heard + also_heard if line] == []
+
+    def test_tells_the_only_run_that_hears_where_others_were_killed(self, heard, tmp_path, monkeypatch):
+        monkeypatch.setattr("tumble.app.commands.control.PATIENCE_S", 0.5)
+        killed = ControlFile(tmp_path / "recordings" / "SN1" / "killed.mcap")
+        killed.open()
+        killed.path.write_text("pause\n")
+        assert tumble("control", "stop", "--store", tmp_path).status == 0
+        assert heard[-1] == "stop"
+        assert not killed.path.exists()
