@@ -62,7 +62,7 @@ class Wishes:
         self._paused = False
         self._at_most_min: float | None = None
         self._until_s = math.inf
-        self._one_by_one = threading.RLock()
+        self._one_by_one = threading.Lock()
 
     def __call__(self, event: Event) -> None:
         """Know which point is the last, and since when everything stands."""
@@ -99,25 +99,32 @@ class Wishes:
                 self._control.stop(Message("the run was paused for {minutes:g} min", minutes=self._at_most_min))
 
     def _heed(self, wish: Wish, at_most_min: float | None) -> None:
+        match wish:
+            case Wish.PAUSE:
+                self._pause(at_most_min)
+            case Wish.CONTINUE:
+                self._go_on()
+            case Wish.AGAIN:
+                self._take_again()
+            case Wish.STOP:
+                self._control.stop()
+
+    def _pause(self, at_most_min: float | None) -> None:
         with self._one_by_one:
-            match wish:
-                case Wish.PAUSE:
-                    self._at_most_min = at_most_min
-                    self._count()
-                    self._control.pause()
-                case Wish.CONTINUE:
-                    self._until_s = math.inf
-                    self._control.resume()
-                case Wish.AGAIN:
-                    self._take_again()
-                case Wish.STOP:
-                    self._control.stop()
+            self._at_most_min = at_most_min
+            self._count()
+            self._control.pause()
+
+    def _go_on(self) -> None:
+        with self._one_by_one:
+            self._until_s = math.inf
+            self._control.resume()
 
     def _take_again(self) -> None:
-        if self._last is None:
+        if (last := self._last) is None:
             self._tell(Message("there is no point yet that could be taken again"))
         else:
-            self._control.take_again(self._last)
+            self._control.take_again(last)
 
     def _count(self) -> None:
         """Have a pause last as long as it may, from now on; one that is not there yet has not begun."""
