@@ -9,7 +9,8 @@ from tumble.app.commands.measuring import measures
 from tumble.app.commands.telling import tell_run
 from tumble.app.console import messages, run_display
 from tumble.app.files import check_recording_name
-from tumble.app.running import Job, failure, recording_path, run
+from tumble.app.recording_names import recording_path
+from tumble.app.running import Job, failure, run
 from tumble.app.wiring import Connected
 
 
