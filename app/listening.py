@@ -21,8 +21,15 @@ LOOK_S: Final = 0.2
 
 
 def typed_here() -> Typed:
-    """What is typed at the terminal, or comes through the standard input; nothing where that is closed."""
-    return nothing_typed() if sys.stdin is None or sys.stdin.closed else Typed(sys.stdin)
+    """What is typed at the terminal, or comes through the standard input; nothing where that is closed.
+
+    What is typed in another encoding is nothing clear, and the next line is heard; from a file or a pipe it is trouble.
+    """
+    if sys.stdin is None or sys.stdin.closed:
+        return nothing_typed()
+    if sys.stdin.isatty() and isinstance(sys.stdin, io.TextIOWrapper):
+        sys.stdin.reconfigure(errors="replace")
+    return Typed(sys.stdin)
 
 
 def nothing_typed() -> Typed:

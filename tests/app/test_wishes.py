@@ -2,6 +2,7 @@
 
 import errno
 import io
+import os
 import signal
 import sys
 import threading
@@ -15,7 +16,7 @@ import pytest
 from app_jobs import tumble
 
 from tumble.app.control_file import ControlFile
-from tumble.app.listening import LOOK_S, listening
+from tumble.app.listening import LOOK_S, listening, typed_here
 from tumble.app.patience import PatientControl
 from tumble.app.running import Job, run
 from tumble.app.stand import load_stand
@@ -168,6 +169,21 @@ def test_reading_its_terminal_in_the_background_does_not_halt_it(at_a_terminal):
         assert signal.getsignal(signal.SIGTTIN) is signal.SIG_IGN
     finally:
         signal.signal(signal.SIGTTIN, before)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such terminals")
+def test_a_terminal_is_heard_on_after_what_is_no_text(monkeypatch):
+    there, here = os.openpty()
+    with os.fdopen(here, encoding="utf-8") as terminal:
+        monkeypatch.setattr(sys, "stdin", terminal)
+        typed = typed_here()
+        typed.begin()
+        os.write(there, b"\xff\nstop\n")
+        lines = []
+        until(lambda: lines.append(typed.next()) or "stop\n" in lines or typed.at_end)
+        assert "stop\n" in lines
+        os.close(there)
+        until(lambda: typed.next() is None and typed.at_end)
 
 
 def test_what_comes_through_a_pipe_is_no_wish(unattended):
