@@ -61,3 +61,16 @@ def test_one_that_hung_up_is_not(ends):
     os.close(there)
     typed = Typed(Terminal(here))
     assert (first_of(typed), typed.trouble) == (None, "OSError: [Errno 5] Input/output error")
+
+
+def test_it_is_read_on_after_an_end_of_the_input_that_was_typed(ends):
+    there, here = ends
+    with os.fdopen(os.dup(here)) as terminal:
+        typed = Typed(terminal)
+        os.write(there, b"\x04")  # Ctrl+D
+        assert (first_of(typed), typed.at_end) == (None, True)
+        typed.forget()
+        os.write(there, b"stop\n")
+        assert first_of(typed) == "stop\n"
+        os.close(there)
+        assert first_of(typed) is None
