@@ -33,14 +33,14 @@ class ControlFile:
     def open(self) -> None:
         """Be there, without a wish: one from before the run is of another.
 
-        Raises `OSError`: `FileExistsError` where something else has that name, which is left alone.
+        Raises `OSError`: `FileExistsError` where something else has that name, which is left alone; and where no file
+        can be had alone.
         """
-        try:
-            with self._opened() as stream:
-                self._check_is_its_own(stream)
-                stream.truncate(0)
-        except FileNotFoundError:
+        with suppress(FileExistsError):
             os.close(os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | FLAGS, 0o666))
+        with self._opened() as stream, alone(stream):
+            self._check_is_its_own(stream)
+            stream.truncate(0)
 
     def close(self) -> None:
         """Be gone, unless it has become something else; raises nothing."""

@@ -71,6 +71,12 @@ def test_a_pipe_at_its_name_does_not_hold_the_run_up(file):
         file.open()
 
 
+def test_a_folder_in_which_nothing_can_be_locked_is_told_of_at_the_beginning(file, monkeypatch):
+    monkeypatch.setattr("tumble.app.plain_files.lock", Mock(side_effect=OSError(errno.ENOLCK, "No locks available")))
+    with pytest.raises(OSError, match="No locks available"):
+        file.open()
+
+
 def test_a_note_that_begins_like_a_wish_is_left_alone(file):
     file.path.write_text("stop the chamber on Friday\n")
     with pytest.raises(FileExistsError):
