@@ -9,7 +9,17 @@ from typing import Final
 
 from tumble.messages import Message
 from tumble.procedures.control import Control
-from tumble.procedures.events import Event, PointCompleted, RunResumed, State, StateChanged
+from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
+    Event,
+    PointCompleted,
+    ReadingAnswered,
+    ReadingRequested,
+    RunResumed,
+    State,
+    StateChanged,
+)
 
 MOST_PAUSED_MIN: Final = 60.0
 """How long a pause lasts at most where nobody sits at the terminal; the run is then stopped, and can be resumed."""
@@ -59,13 +69,13 @@ class Wishes:
     ) -> None:
         self._control, self._tell, self._now_s = control, tell, now_s
         self._last: int | None = None
-        self._paused = False
+        self._paused = self._asked = False
         self._at_most_min: float | None = None
         self._until_s = math.inf
         self._one_by_one = threading.Lock()
 
     def __call__(self, event: Event) -> None:
-        """Know which point is the last, and since when everything stands."""
+        """Know which point is the last, since when everything stands, and whether a question is open."""
         with self._one_by_one:
             if isinstance(event, PointCompleted):
                 self._last = event.point.index
@@ -74,20 +84,26 @@ class Wishes:
             elif isinstance(event, StateChanged):
                 self._paused = event.state is State.PAUSED
                 self._count()
+            elif isinstance(event, ConditionRequested | ReadingRequested):
+                self._asked = True
+            elif isinstance(event, ConditionAnswered | ReadingAnswered):
+                self._asked = False
 
     def typed(self, line: str) -> bool:
         """Heed a line that was typed at the terminal; false where it is no wish. A pause lasts until it is ended."""
-        wish = _WORDS.get(line.strip().casefold())
+        word = line.strip()
+        wish = _WORDS.get(word.casefold())
         if wish is not None:
             self._heed(wish, None)
+        elif word and not self._asked:
+            self._tell(_unknown(word))
         return wish is not None
 
     def told(self, line: str) -> None:
         """Heed a line of a control file: a wish, and how many minutes a pause may last at most."""
         understood = _understood(line)
         if understood is None:
-            known = ", ".join(Wish)
-            self._tell(Message("{wish!r} is nothing that a run can do; known are {known}", wish=line[:40], known=known))
+            self._tell(_unknown(line))
         else:
             self._heed(*understood)
 
@@ -130,6 +146,11 @@ class Wishes:
         """Have a pause last as long as it may, from now on; one that is not there yet has not begun."""
         lasts_min = math.inf if self._at_most_min is None or not self._paused else self._at_most_min
         self._until_s = self._now_s() + 60.0 * lasts_min
+
+
+def _unknown(line: str) -> str:
+    known = ", ".join(Wish)
+    return Message("{wish!r} is nothing that a run can do; known are {known}", wish=line[:40], known=known)
 
 
 def _understood(line: str) -> tuple[Wish, float] | None:

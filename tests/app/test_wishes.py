@@ -23,7 +23,16 @@ from tumble.app.stand import load_stand
 from tumble.app.wiring import connect
 from tumble.app.wishes import Wishes
 from tumble.procedures.control import Control
-from tumble.procedures.events import FinishReason, PointCompleted, RunResumed, State, StateChanged
+from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
+    FinishReason,
+    PointCompleted,
+    ReadingRequested,
+    RunResumed,
+    State,
+    StateChanged,
+)
 from tumble.procedures.programmes import load_programme
 from tumble.procedures.recording.reader import read_recording
 from tumble.procedures.typed import Typed
@@ -269,6 +278,35 @@ def test_without_a_point_none_is_taken_again():
     control, said = Control(), []
     assert Wishes(control, said.append).typed("again\n")
     assert (control.heed_again(), said) == (None, ["there is no point yet that could be taken again"])
+
+
+def test_a_mistyped_word_is_told_of():
+    said = []
+    assert not Wishes(Control(), said.append).typed("pasue\n")
+    assert said == ["'pasue' is nothing that a run can do; known are pause, continue, again, stop"]
+
+
+@pytest.mark.parametrize(
+    "request_",
+    [ConditionRequested(condition="mount", value="edge", prompt=""), ReadingRequested(setting_deg=0.0, prompt="")],
+)
+def test_what_is_typed_while_a_question_is_open_is_its_answer(request_):
+    wishes = Wishes(Control(), pytest.fail)
+    wishes(request_)
+    assert not wishes.typed("45 00 00\n")
+
+
+def test_an_empty_line_wants_nothing():
+    assert not Wishes(Control(), pytest.fail).typed("\n")
+
+
+def test_after_a_question_a_mistyped_word_is_told_of_again():
+    said = []
+    wishes = Wishes(Control(), said.append)
+    wishes(ConditionRequested(condition="mount", value="edge", prompt=""))
+    wishes(ConditionAnswered(condition="mount", value="edge", answer="yes", confirmed=True))
+    wishes.typed("pasue\n")
+    assert len(said) == 1
 
 
 def test_after_a_break_the_last_point_is_the_one_before_it():
