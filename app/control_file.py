@@ -36,6 +36,7 @@ class ControlFile:
         Raises `OSError`: `FileExistsError` where something else has that name, which is left alone; and where no file
         can be had alone.
         """
+        self.close()
         with suppress(FileExistsError):
             os.close(os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | FLAGS, 0o666))
         with self._opened() as stream, alone(stream):
