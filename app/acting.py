@@ -6,7 +6,8 @@ from pathlib import Path
 
 from tumble.app.available import Offer
 from tumble.app.exits import Exit, JobError
-from tumble.app.running import Job, failure, recording_path, run
+from tumble.app.recording_names import recording_path
+from tumble.app.running import Job, failure, run
 from tumble.app.stand import LoadedStand
 from tumble.app.wiring import Connected
 from tumble.messages import Message

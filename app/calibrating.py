@@ -15,7 +15,8 @@ from tumble.app.kept_reports import keep, report_path
 from tumble.app.last_calibration import changes_since
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
-from tumble.app.running import Job, failure, recording_path, run
+from tumble.app.recording_names import recording_path
+from tumble.app.running import Job, failure, run
 from tumble.app.wiring import Connected
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import StoreError

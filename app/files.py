@@ -27,6 +27,14 @@ def is_recording(path: Path) -> bool:
     return path.suffix.lower() == RECORDING_SUFFIX
 
 
+def check_recording_name(path: Path) -> None:
+    """Make sure that a name is one of a recording. Raises `InputError`."""
+    if not is_recording(path):
+        raise InputError(
+            Message("{path}: is no name of a recording; end it in {suffix}", path=path, suffix=RECORDING_SUFFIX)
+        )
+
+
 def check_result(path: Path, kind: Kind | None) -> None:
     """Find out whether a result of a kind may be written, before anything is done for it.
 

@@ -6,14 +6,12 @@ import sys
 import threading
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from functools import partial
 from pathlib import Path
 from typing import Final
 
-from tumble.app.control_file import ControlFile
+from tumble.app.control_file import ControlFile, deaf
 from tumble.app.terminal import say
 from tumble.app.wishes import Wishes
-from tumble.messages import Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.control import Control
 from tumble.procedures.typed import Typed
@@ -23,8 +21,15 @@ LOOK_S: Final = 0.2
 
 
 def typed_here() -> Typed:
-    """What is typed at the terminal, or comes through the standard input; nothing where that is closed."""
-    return nothing_typed() if sys.stdin is None or sys.stdin.closed else Typed(sys.stdin)
+    """What is typed at the terminal, or comes through the standard input; nothing where that is closed.
+
+    What is typed in another encoding is nothing clear, and the next line is heard; from a file or a pipe it is trouble.
+    """
+    if sys.stdin is None or sys.stdin.closed:
+        return nothing_typed()
+    if sys.stdin.isatty() and isinstance(sys.stdin, io.TextIOWrapper):
+        sys.stdin.reconfigure(errors="replace")
+    return Typed(sys.stdin)
 
 
 def nothing_typed() -> Typed:
@@ -38,19 +43,17 @@ def listening(typed: Typed, control: Control, recording: Path) -> Iterator[Liste
 
     A run whose control file cannot be made is not told anything by it, and that is said.
     """
-    wishes, file = Wishes(control, partial(say, err=True)), ControlFile(recording)
+    wishes, file = Wishes(control, _complain), ControlFile(recording)
     with ExitStack() as stack:
+        stack.callback(control.resume)  # a pause that nobody has heeded is none of the next run
         if typed.is_terminal:
             _overhear(typed, wishes, stack)
         try:
             file.open()
         except OSError as error:
-            why = error.strerror or str(error)
-            deaf = Message("{path}: the run cannot be told anything by it ({reason})", path=file.path, reason=why)
-            say(deaf, err=True)
+            _complain(deaf(file, error))
         else:
             _read(file, wishes, stack)
-        stack.callback(control.resume)  # a pause that nobody has heeded is none of the next run
         yield wishes
 
 
@@ -77,7 +80,24 @@ def _overhear(typed: Typed, wishes: Wishes, stack: ExitStack) -> None:
 
 def _listen(file: ControlFile, wishes: Wishes, over: threading.Event) -> None:
     while not over.wait(LOOK_S):
-        with suppress(OSError):
-            for line in file.taken():
-                wishes.told(line)
+        for line in filter(str.strip, _taken(file)):
+            wishes.told(line)
         wishes.watch()
+
+
+def _taken(file: ControlFile) -> list[str]:
+    """What is told by a file; one that somebody took away is there again."""
+    try:
+        return file.taken()
+    except FileNotFoundError:
+        with suppress(OSError):
+            file.open()
+    except OSError:  # something else has its name for now
+        pass
+    return []
+
+
+def _complain(sentence: str) -> None:
+    """Say something to whoever looks; what cannot be said keeps nothing from being heeded."""
+    with suppress(OSError, ValueError):
+        say(sentence, err=True)

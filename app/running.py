@@ -2,7 +2,6 @@
 
 import math
 import os
-import re
 import signal
 import stat
 import sys
@@ -10,7 +9,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
-from hashlib import sha256
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Final
@@ -50,10 +48,6 @@ from tumble.procedures.steps import Point
 if TYPE_CHECKING:
     from tumble.procedures.recording.contents import Said
     from tumble.procedures.recording.writer import Recorder
-
-_LONGEST_NAME = 60
-_RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{n}" for port in ("COM", "LPT") for n in range(10))}
-"""Names of devices on Windows."""
 
 FINISHED: Final = {
     FinishReason.COMPLETED: Exit.GOOD,
@@ -237,29 +231,6 @@ def failure(outcome: Outcome, recording: Path) -> JobError | None:
     error = JobError(kept, status)
     error.__cause__ = outcome.error
     return error
-
-
-def recording_path(folder: Path, serial_number: str, programme: str, clock: Clock) -> Path:
-    """Where a run of a unit is recorded: `recordings/SERIAL/UTC-programme.mcap`, a name that sorts by time."""
-    moment = datetime.fromtimestamp(clock.wall_ns() / 1e9, tz=UTC).strftime("%Y%m%dT%H%M%SZ")
-    name = f"{moment}-{_safe(programme)}"
-    path = folder / "recordings" / _safe(serial_number) / f"{name}.mcap"
-    number = 1
-    while path.exists():
-        number += 1
-        path = path.with_name(f"{name}-{number}.mcap")
-    return path
-
-
-def _safe(text: str) -> str:
-    """Text as a file name on any system: what had to be changed gets a hash, so that no two texts share a name."""
-    plain = re.sub(r"[^A-Za-z0-9._-]+", "_", text).strip("._")[:_LONGEST_NAME]
-    reserved = plain.split(".")[0].upper() in _RESERVED
-    if plain == text and not reserved:
-        return plain
-    if reserved:
-        plain = plain.replace(".", "_")  # Windows looks at what stands before the first one
-    return f"{plain or 'unit'}-{sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}"
 
 
 def _header(job: Job, clock: Clock, purpose: str) -> Header:

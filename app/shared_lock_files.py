@@ -4,7 +4,6 @@ On Linux that is a folder with the sticky bit (FHS 3.0, /run/lock; hier(7)), on 
 put something there: what is no plain file of its own is refused, and a link is not followed.
 """
 
-import errno
 import os
 import stat
 import sys
@@ -12,18 +11,13 @@ from pathlib import Path
 from typing import IO, Final
 
 from tumble.app.exits import Exit, JobError
+from tumble.app.plain_files import FLAGS, open_plain
 from tumble.messages import Message
 
 FOLDERS: Final = ("/run/lock", "/var/lock", "/tmp")
 """The first of these that all may write to; not TMPDIR, which may be another for each user."""
 _FOR_ALL: Final = 0o1777
 _ANYBODY: Final = 0o666
-_FLAGS: Final = (
-    getattr(os, "O_NOFOLLOW", 0)
-    | getattr(os, "O_NONBLOCK", 0)
-    | getattr(os, "O_CLOEXEC", 0)
-    | getattr(os, "O_BINARY", 0)
-)
 
 
 def lock_folder() -> Path:
@@ -57,20 +51,16 @@ def open_shared(path: Path) -> IO[bytes]:
         It is no file that can be locked, or it may not be opened.
     """
     try:
-        descriptor, mode = os.open(path, os.O_RDWR | _FLAGS), "r+b"
+        descriptor, mode = open_plain(path), "r+b"
     except FileNotFoundError:
         return _made(path)
     except PermissionError:
-        descriptor, mode = os.open(path, os.O_RDONLY | _FLAGS), "rb"
-    found = os.fstat(descriptor)
-    if path.is_symlink() or not stat.S_ISREG(found.st_mode) or found.st_nlink > 1:
-        os.close(descriptor)
-        raise OSError(errno.EINVAL, Message("it is no plain file of its own"), str(path))
+        descriptor, mode = open_plain(path, os.O_RDONLY), "rb"
     return os.fdopen(descriptor, mode)
 
 
 def _made(path: Path) -> IO[bytes]:
-    descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL | _FLAGS, _ANYBODY)
+    descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL | FLAGS, _ANYBODY)
     if sys.platform != "win32":
         os.fchmod(descriptor, _ANYBODY)  # whatever the user's mask: the next one must be able to lock it
     return os.fdopen(descriptor, "w+b")

@@ -8,7 +8,6 @@ run lasts, so that a process that dies leaves nothing locked; what is written in
 import json
 import os
 import socket
-import sys
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from datetime import UTC, datetime
@@ -17,13 +16,12 @@ from pathlib import Path
 from typing import IO, Any
 
 from tumble.app.exits import Exit, JobError
+from tumble.app.plain_files import is_still, lock
 from tumble.app.shared_lock_files import lock_folder, open_shared
 from tumble.app.stand import LoadedStand
 from tumble.drivers.links.places import one_name
 from tumble.messages import Message
 
-_BEHIND = 1 << 20
-"""Place of the locked byte: Windows lets nobody read what is locked, and the words in front of it shall be read."""
 _ATTEMPTS = 100
 _LONGEST_WORDS = 2_000
 
@@ -93,22 +91,14 @@ def _locked(path: Path, what: str) -> Iterator[IO[bytes]]:
         except OSError as error:
             raise JobError(_taken(path, what, error.strerror or str(error)), Exit.DEVICE_FAULT) from error
         with opened as stream:
-            if not _lock(stream):
+            if not lock(stream):
                 raise JobError(_sentence(stream, what), Exit.DEVICE_FAULT)
-            if _is_still(path, stream):
+            if is_still(path, stream):
                 yield stream
                 return
     raise JobError(
         Message("{path}: others take this lock and give it back all the time; try again", path=path), Exit.DEVICE_FAULT
     )
-
-
-def _is_still(path: Path, stream: IO[bytes]) -> bool:
-    """Whether the file that was opened has not been taken away by the one who had it before."""
-    try:
-        return os.path.samestat(path.lstat(), os.fstat(stream.fileno()))
-    except FileNotFoundError:
-        return False
 
 
 def _taken(path: Path | str, what: str, reason: str) -> str:
@@ -119,28 +109,6 @@ def _taken(path: Path | str, what: str, reason: str) -> str:
         path=path,
         reason=reason,
     )
-
-
-if sys.platform == "win32":
-    import msvcrt
-
-    def _lock(stream: IO[bytes]) -> bool:
-        stream.seek(_BEHIND)
-        try:
-            msvcrt.locking(stream.fileno(), msvcrt.LK_NBLCK, 1)
-        except OSError:
-            return False
-        return True
-
-else:
-    import fcntl
-
-    def _lock(stream: IO[bytes]) -> bool:
-        try:
-            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            return False
-        return True
 
 
 def _ourselves(serial_number: str) -> dict[str, Any]:

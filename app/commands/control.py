@@ -1,12 +1,14 @@
 """`tumble control`: have a run under way pause, go on, take its last point again, or stop."""
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Final
 
 import click
 
 from tumble.app.commands import options
-from tumble.app.control_file import SUFFIX, ControlFile
+from tumble.app.control_file import SUFFIX, ControlFile, deaf
+from tumble.app.files import check_recording_name
 from tumble.app.terminal import say
 from tumble.app.wishes import MOST_PAUSED_MIN, Wish
 from tumble.messages import Message
@@ -35,28 +37,47 @@ def command(wish: str, recording: Path | None, folder: Path, at_most_min: float)
     RECORDING is what the run writes; without it, it is the only run under way in --store. Everything stands while a run
     is paused, which may last until samples that are being taken are there.
     """
-    file = ControlFile(recording) if recording else _only_one(folder)
+    file = _named(recording) if recording else _only_one(folder)
     line = f"{wish} {at_most_min:g}" if wish == Wish.PAUSE else wish
     try:
         heard = file.tell(line, PATIENCE_S)
-    except (FileNotFoundError, FileExistsError) as error:
+    except FileNotFoundError as error:
         raise _nobody(file) from error
+    except OSError as error:
+        raise InputError(deaf(file, error)) from error
     if not heard:
         raise _nobody(file)
     say(Message("{path}: heard", path=file.path), err=True)
 
 
+def _named(recording: Path) -> ControlFile:
+    """Of the run that writes a recording. Raises `InputError`."""
+    check_recording_name(recording)
+    return ControlFile(recording)
+
+
 def _only_one(folder: Path) -> ControlFile:
     """Of the only run under way in a store. Raises `InputError`."""
-    found = sorted(folder.glob(f"recordings/*/*{SUFFIX}"))
-    if not found:
+    files = [ControlFile(path) for path in sorted(folder.glob(f"recordings/*/*{SUFFIX}"))]
+    if len(files) > 1:
+        files = list(filter(_is_heard, files))
+    if not files:
         raise InputError(
             Message("{folder}: no run is under way there; name its recording, or its --store", folder=folder)
         )
-    if len(found) > 1:
-        paths = ", ".join(map(str, found))
+    if len(files) > 1:
+        paths = ", ".join(str(file.path) for file in files)
         raise InputError(Message("several runs are under way ({paths}); name the recording of one", paths=paths))
-    return ControlFile(found[0])
+    return files[0]
+
+
+def _is_heard(file: ControlFile) -> bool:
+    """Whether a run hears; the file of one that was killed is cleared away."""
+    with suppress(OSError):
+        if file.tell("", PATIENCE_S):
+            return True
+        file.close()
+    return False
 
 
 def _nobody(file: ControlFile) -> InputError:

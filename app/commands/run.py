@@ -8,11 +8,10 @@ from tumble.app.commands import options
 from tumble.app.commands.measuring import measures
 from tumble.app.commands.telling import tell_run
 from tumble.app.console import messages, run_display
-from tumble.app.files import RECORDING_SUFFIX, is_recording
-from tumble.app.running import Job, failure, recording_path, run
+from tumble.app.files import check_recording_name
+from tumble.app.recording_names import recording_path
+from tumble.app.running import Job, failure, run
 from tumble.app.wiring import Connected
-from tumble.messages import Message
-from tumble.procedures.errors import InputError
 
 
 @click.command("run")
@@ -23,14 +22,8 @@ from tumble.procedures.errors import InputError
 def command(job: Job, connected: Connected, folder: Path, out: Path | None, json_path: Path | None) -> None:
     """Run a programme and leave a recording, to be fitted later."""
     clock = connected.stand.clock
-    if out and not is_recording(out):
-        raise InputError(
-            Message(
-                "{path}: is no name of a recording; end it in {suffix}",
-                path=out,
-                suffix=RECORDING_SUFFIX,
-            )
-        )
+    if out:
+        check_recording_name(out)
     recording = out or recording_path(folder, job.serial_number, job.programme.name, clock)
     with run_display(job.plan(), clock, messages()) as display:
         outcome = run(job, connected, recording, [display])

@@ -48,10 +48,10 @@ def test_a_serial_number_nobody_could_read_is_refused(serial):
 
 
 def test_serial_numbers_that_differ_get_folders_that_differ():
-    from tumble.app.running import _safe
+    from tumble.app.recording_names import as_file_name
 
-    assert _safe("SN-7") == "SN-7"
-    assert len({_safe(text) for text in ("SN/7", "SN:7", "日本", "本日", "NUL", "nul", "..")}) == 7
+    assert as_file_name("SN-7") == "SN-7"
+    assert len({as_file_name(text) for text in ("SN/7", "SN:7", "日本", "本日", "NUL", "nul", "..")}) == 7
 
 
 def test_standard_output_on_a_full_disk_is_a_matter_of_storage(monkeypatch):

@@ -10,7 +10,7 @@ from app_jobs import STAND, tumble
 
 from tumble.app.console import messages, results
 from tumble.app.recall import open_store
-from tumble.app.running import _safe
+from tumble.app.recording_names import as_file_name
 from tumble.app.terminal import as_json
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -49,7 +49,7 @@ def test_a_serial_number_of_any_text_is_measured_under_a_file_of_its_own(tiny, t
 
     (recording,) = tmp_path.glob("s/recordings/*/*.mcap")
     assert ran.status == 0
-    assert recording.parent.name == _safe(serial)
+    assert recording.parent.name == as_file_name(serial)
 
 
 @pytest.mark.parametrize("serial", ["a\nb", "a\0b", "\x1b[2J", "\u202ex", "x" * 10_000, "\udcff"])
@@ -73,8 +73,8 @@ def test_a_file_that_is_no_text_is_not_echoed_at_length(write):
 
 def test_a_reserved_name_is_no_file():
     for name in ("NUL", "nul", "COM1", "lpt9", "con.txt", "AUX."):
-        assert _safe(name).partition(".")[0].upper() not in ("NUL", "COM1", "LPT9", "CON", "AUX")
-    assert _safe("\udcff").startswith("unit-")
+        assert as_file_name(name).partition(".")[0].upper() not in ("NUL", "COM1", "LPT9", "CON", "AUX")
+    assert as_file_name("\udcff").startswith("unit-")
 
 
 @pytest.mark.parametrize("text", [*HIDDEN, "\udcff", "\x7f", "\U000e0041"])

@@ -1,198 +1,18 @@
-"""What is wanted of a run that no window watches: typed at its terminal, or told by `tumble control`."""
-
-import io
-import signal
-import sys
-import threading
-import time
-from dataclasses import replace
-from functools import partial
+"""Words for what is wanted of a run, and what becomes of others."""
 
 import pytest
-from app_jobs import tumble
 
 from tumble.app.control_file import ControlFile
-from tumble.app.listening import LOOK_S, listening
-from tumble.app.patience import PatientControl
-from tumble.app.running import Job, run
-from tumble.app.stand import load_stand
-from tumble.app.wiring import connect
 from tumble.app.wishes import Wishes
 from tumble.procedures.control import Control
-from tumble.procedures.events import FinishReason, PointCompleted, RunResumed, State, StateChanged
-from tumble.procedures.programmes import load_programme
-from tumble.procedures.recording.reader import read_recording
-from tumble.procedures.typed import Typed
-
-
-class Keyboard:
-    """A terminal at which lines are typed when a test wants it."""
-
-    def __init__(self):
-        self.lines, self.more = [], threading.Event()
-
-    def isatty(self):
-        return True
-
-    def type(self, line):
-        self.lines.append(f"{line}\n")
-        self.more.set()
-
-    def __iter__(self):
-        while True:
-            self.more.wait()
-            self.more.clear()
-            yield from self.lines
-            self.lines.clear()
-
-
-class Run:
-    """A run of six points on the simulated stand, in a thread of its own or in that of the test."""
-
-    def __init__(self, programme, recording, lines):
-        self.job = Job(stand=load_stand(), programme=load_programme(programme), serial_number="A")
-        self.recording = recording
-        self.control = PatientControl()
-        self.file = ControlFile(recording)
-        self.events = []
-        self.at = {}
-        self.lines = lines
-
-    def __call__(self):
-        hears = partial(listening, Typed(self.lines))
-        connected = replace(connect(self.job.stand), control=self.control, hears=hears)
-        return run(self.job, connected, self.recording, [self.hear])
-
-    def hear(self, event):
-        self.events.append(event)
-        if isinstance(event, PointCompleted):
-            self.at.pop(event.point.index, lambda: None)()
-        if event == StateChanged(state=State.PAUSED):
-            self.at.pop("paused", lambda: None)()
-
-    def told(self, line):
-        """Have it said in the control file, and wait until it was heard, as somebody else would."""
-        assert self.file.tell(line, 10.0)
-
-    @property
-    def paused(self):
-        return StateChanged(state=State.PAUSED) in self.events
-
-
-@pytest.fixture
-def keyboard():
-    return Keyboard()
-
-
-@pytest.fixture
-def at_a_terminal(tiny, tmp_path, keyboard):
-    return Run(tiny, tmp_path / "x.mcap", keyboard)
-
-
-@pytest.fixture
-def unattended(tiny, tmp_path):
-    return Run(tiny, tmp_path / "x.mcap", io.StringIO("pause\nstop\n"))
-
-
-def later(do):
-    """Do something in a thread, which the run does not wait for."""
-    return lambda: threading.Thread(target=do, daemon=True).start()
-
-
-def until(holds):
-    deadline_s = time.monotonic() + 10.0
-    while not holds():
-        assert time.monotonic() < deadline_s
-        time.sleep(0.01)
-
-
-def typed(run, keyboard, line, holds):
-    """Type a line, and go on once it was understood."""
-
-    def do():
-        keyboard.type(line)
-        until(lambda: holds(run.control))
-
-    return do
-
-
-def test_a_run_at_a_terminal_pauses_and_goes_on_as_is_typed(at_a_terminal, keyboard):
-    at_a_terminal.at = {
-        2: typed(at_a_terminal, keyboard, "pause", Control.pause_wanted),
-        "paused": partial(keyboard.type, "continue"),
-    }
-    assert at_a_terminal().reason is FinishReason.COMPLETED
-    assert at_a_terminal.paused
-
-
-def test_it_takes_the_last_point_again_as_is_typed(at_a_terminal, keyboard):
-    at_a_terminal.at = {2: typed(at_a_terminal, keyboard, "Again", lambda control: control._again)}
-    assert [point.take for point in at_a_terminal().points] == [1, 1, 2, 1, 1, 1]
-
-
-def test_it_stops_as_is_typed(at_a_terminal, keyboard):
-    at_a_terminal.at = {2: typed(at_a_terminal, keyboard, "stopp", Control.stop_wanted)}
-    outcome = at_a_terminal()
-    assert (outcome.reason, len(outcome.points), outcome.at_standstill) == (FinishReason.STOPPED, 3, True)
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows halts nothing that reads in the background")
-def test_reading_its_terminal_in_the_background_does_not_halt_it(at_a_terminal):
-    before = signal.signal(signal.SIGTTIN, signal.SIG_DFL)
-    try:
-        at_a_terminal()
-        assert signal.getsignal(signal.SIGTTIN) is signal.SIG_IGN
-    finally:
-        signal.signal(signal.SIGTTIN, before)
-
-
-def test_what_comes_through_a_pipe_is_no_wish(unattended):
-    assert unattended().reason is FinishReason.COMPLETED
-    assert not unattended.paused
-
-
-def test_an_unattended_run_pauses_and_goes_on_as_it_is_told(unattended):
-    unattended.at = {
-        2: partial(unattended.told, "pause"),
-        "paused": later(partial(unattended.told, "continue")),
-    }
-    assert unattended().reason is FinishReason.COMPLETED
-    assert unattended.paused
-
-
-def test_it_takes_the_last_point_again_as_it_is_told(unattended):
-    unattended.at = {3: partial(unattended.told, "again")}
-    assert [point.take for point in unattended().points] == [1, 1, 1, 2, 1, 1]
-    assert [point.take for point in read_recording(unattended.recording).points] == [1, 1, 1, 2, 1, 1]
-
-
-def test_a_pause_that_nobody_ends_is_ended_with_the_run(unattended):
-    unattended.at = {2: partial(unattended.told, "pause 0.001")}
-    outcome = unattended()
-    assert (outcome.reason, outcome.at_standstill) == (FinishReason.STOPPED, True)
-    assert outcome.message == "the run was paused for 0.001 min"
-
-
-def test_the_control_file_is_there_as_long_as_the_run(unattended):
-    unattended.at = {2: lambda: until(unattended.file.path.exists)}
-    unattended.file.path.write_text("stop\n")  # of a run before
-    assert unattended().reason is FinishReason.COMPLETED
-    assert not unattended.file.path.exists()
-
-
-def test_what_else_has_its_name_is_left_alone(unattended, capsys):
-    unattended.file.path.write_text("of the lab's own\n")
-    unattended.at = {2: partial(time.sleep, 2 * LOOK_S)}
-    assert unattended().reason is FinishReason.COMPLETED
-    assert unattended.file.path.read_text() == "of the lab's own\n"
-    assert "the run cannot be told anything by it (it is no control file of a run)" in capsys.readouterr().err
-    assert tumble("control", "stop", unattended.recording).status == 2
-    assert unattended.file.path.read_text() == "of the lab's own\n"
-
-
-def test_a_run_whose_control_file_is_taken_away_goes_on(unattended):
-    unattended.at = {2: unattended.file.path.unlink}
-    assert unattended().reason is FinishReason.COMPLETED
+from tumble.procedures.events import (
+    ConditionAnswered,
+    ConditionRequested,
+    ReadingRequested,
+    RunResumed,
+    State,
+    StateChanged,
+)
 
 
 @pytest.mark.parametrize(
@@ -213,7 +33,7 @@ def test_what_says_nothing_clear_is_not_heeded(tmp_path, garbage):
 def test_bytes_that_are_no_text_are_not_heeded(tmp_path):
     file, said = ControlFile(tmp_path / "x.mcap"), []
     file.open()
-    file.path.write_bytes(b"\xff\xfe\x00stop\n")
+    file.path.write_bytes(b"\xfe\xff\x00stop\n")
     Wishes(Control(), said.append).told(*file.taken())
     assert len(said) == 1
 
@@ -222,6 +42,35 @@ def test_without_a_point_none_is_taken_again():
     control, said = Control(), []
     assert Wishes(control, said.append).typed("again\n")
     assert (control.heed_again(), said) == (None, ["there is no point yet that could be taken again"])
+
+
+def test_a_mistyped_word_is_told_of():
+    said = []
+    assert not Wishes(Control(), said.append).typed("pasue\n")
+    assert said == ["'pasue' is nothing that a run can do; known are pause, continue, again, stop"]
+
+
+@pytest.mark.parametrize(
+    "request_",
+    [ConditionRequested(condition="mount", value="edge", prompt=""), ReadingRequested(setting_deg=0.0, prompt="")],
+)
+def test_what_is_typed_while_a_question_is_open_is_its_answer(request_):
+    wishes = Wishes(Control(), pytest.fail)
+    wishes(request_)
+    assert not wishes.typed("45 00 00\n")
+
+
+def test_an_empty_line_wants_nothing():
+    assert not Wishes(Control(), pytest.fail).typed("\n")
+
+
+def test_after_a_question_a_mistyped_word_is_told_of_again():
+    said = []
+    wishes = Wishes(Control(), said.append)
+    wishes(ConditionRequested(condition="mount", value="edge", prompt=""))
+    wishes(ConditionAnswered(condition="mount", value="edge", answer="yes", confirmed=True))
+    wishes.typed("pasue\n")
+    assert len(said) == 1
 
 
 def test_after_a_break_the_last_point_is_the_one_before_it():
@@ -233,59 +82,27 @@ def test_after_a_break_the_last_point_is_the_one_before_it():
 
 
 def test_a_pause_that_was_ended_does_not_end_the_run():
-    control, moments_s = Control(), iter([0.0, 3599.0, 7200.0])
-    wishes = Wishes(control, pytest.fail, lambda: next(moments_s))
+    control, now_s = Control(), [0.0]
+    wishes = Wishes(control, pytest.fail, lambda: now_s[0])
     wishes.told("pause")
+    wishes(StateChanged(state=State.PAUSED))
+    now_s[0] = 3599.0
     wishes.watch()
     assert control.pause_wanted()
     wishes.told("continue")
+    now_s[0] = 7200.0
     wishes.watch()
     assert not control.stop_wanted()
 
 
-class TestTheCommand:
-    """`tumble control`."""
-
-    @pytest.fixture
-    def heard(self, tmp_path):
-        """What a run in a store hears, each within a moment."""
-        file = ControlFile(tmp_path / "recordings" / "SN1" / "a.mcap")
-        file.path.parent.mkdir(parents=True)
-        file.open()
-        lines, over = [], threading.Event()
-
-        def listen():
-            while not over.wait(0.01):
-                lines.extend(file.taken())
-
-        ear = threading.Thread(target=listen)
-        ear.start()
-        yield lines
-        over.set()
-        ear.join()
-
-    def test_tells_the_only_run_of_a_store(self, heard, tmp_path):
-        assert tumble("control", "pause", "--store", tmp_path).status == 0
-        assert tumble("control", "continue", "--store", tmp_path).status == 0
-        assert heard == ["pause 60", "continue"]
-
-    def test_tells_the_run_of_a_recording_how_long_a_pause_may_last(self, heard, tmp_path):
-        told = tumble("control", "pause", tmp_path / "recordings" / "SN1" / "a.mcap", "--at-most", "5")
-        assert (told.status, heard) == (0, ["pause 5"])
-
-    def test_says_where_nobody_hears(self, tmp_path, monkeypatch):
-        monkeypatch.setattr("tumble.app.commands.control.PATIENCE_S", 0.1)
-        for there in (False, True):
-            file = ControlFile(tmp_path / "x.mcap")
-            if there:
-                file.open()  # of a run that was killed
-            told = tumble("control", "stop", tmp_path / "x.mcap")
-            assert told.status == 2
-            assert "no run of the command line hears there" in told.complaint
-            assert not file.path.exists()
-
-    def test_says_where_no_run_is_under_way_and_where_several_are(self, heard, tmp_path):
-        assert "no run is under way there" in tumble("control", "stop", "--store", tmp_path / "other").complaint
-        ControlFile(tmp_path / "recordings" / "SN1" / "b.mcap").open()
-        assert "several runs are under way" in tumble("control", "stop", "--store", tmp_path).complaint
-        assert heard == []
+def test_a_pause_begins_once_everything_stands():
+    control, now_s = Control(), [0.0]
+    wishes = Wishes(control, pytest.fail, lambda: now_s[0])
+    wishes.told("pause 1")
+    now_s[0] = 300.0  # samples are being taken
+    wishes.watch()
+    assert not control.stop_wanted()
+    wishes(StateChanged(state=State.PAUSED))
+    now_s[0] = 361.0
+    wishes.watch()
+    assert control.stop_wanted()
