@@ -9,8 +9,9 @@ _NUMBER: Final = re.compile(r"(?<![\w./\\])(\d+)\.(\d+)(?=e[+-]?\d|(?![\d_A-Za-z
 """A decimal number; no version and no part of the name of a file."""
 _UNIT: Final = re.compile(r"(?<![A-Za-z_.])(?:[pnµmk]?V|Hz|kHz|ms|s|min|h)(?![A-Za-z_])")
 _RANGE: Final = re.compile(r"(?<=[\d°″%]) to (?=[-−\d])")
+_PER_CENT: Final = re.compile(r"(?<=\d)%(?!\w)")
 _DATA: Final = re.compile(
-    r"(?<![\w/])(?:~|\.{0,2}|file:)/[^\s:;,()\"']+"  # a path from the root, from home, or from here
+    r"(?<![\w/°′″%])(?:~|\.{0,2}|file:)/[^\s:;,()\"']+"  # a path from the root, from home, or from here; no rate
     r"|(?:\b[A-Za-z]:\\|\\\\)[^\s:;,()\"']+"  # one of Windows
     r"|[\w.~-]+(?:[/\\][\w.~-]+)*\.[a-z]\w{1,5}\b"  # the name of a file or of a host, with a folder or without
     r"|\d+(?:\.\d+){2,}(?::\d+)?"  # an address, a version
@@ -56,5 +57,6 @@ def localised(text: str, language: Language) -> str:
 
 def _written(text: str, language: Language) -> str:
     written = _RANGE.sub(_TO[language], _NUMBER.sub(r"\1,\2", text))
+    written = _PER_CENT.sub("\u00a0%", written)
     written = _PER.sub(lambda word: _COUNTED[language][word[0]], written)
     return _UNIT.sub(lambda unit: _CYRILLIC[unit[0]], written) if language is Language.UKRAINIAN else written

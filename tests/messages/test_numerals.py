@@ -13,6 +13,8 @@ from tumble.numerals import localised
         ("-2.5e-07", "-2,5e-07"),
         ("it ends in 0.5.", "it ends in 0,5."),
         ("0.41 mV/run", "0,41 mV/Lauf"),
+        ("2.03(37) °/turn", "2,03(37) °/Umdrehung"),
+        ("0.62% of 25%.", "0,62\u00a0% of 25\u00a0%."),
     ],
 )
 def test_a_number_has_a_comma_and_a_range_a_word(text, german):
@@ -48,6 +50,7 @@ def test_paths_and_addresses_stay_what_they_are(name):
 
 def test_a_rate_is_no_path():
     assert localised("0.5 mV/h, 1.5 V/(g h), V/s", Language.UKRAINIAN) == "0,5 мВ/год, 1,5 В/(g год), В/с"
+    assert localised("8.8(1) °/h, 3 ″/h, (°/h²)", Language.UKRAINIAN) == "8,8(1) °/год, 3 ″/год, (°/год²)"
 
 
 def test_units_are_cyrillic_in_ukrainian():
