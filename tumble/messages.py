@@ -110,6 +110,12 @@ class Message(str):
         return _restored, (type(self), self[:], self.template, self.plural, dict(self.fields))
 
 
+class AsWritten(str):
+    """Text that is the same in every language: a version, a path, what a file says."""
+
+    __slots__ = ()
+
+
 class _Capitalised(Message):
     """A message that begins with a capital."""
 

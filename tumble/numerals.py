@@ -3,19 +3,22 @@
 import re
 from typing import Final
 
-from tumble.messages import Language
+from tumble.messages import AsWritten, Language
 
-_NUMBER: Final = re.compile(r"(?<![\w./\\])(\d+)\.(\d+)(?=e[+-]?\d|(?![\d_A-Za-z]|\.\w))")
-"""A decimal number; no version and no part of the name of a file."""
+_NUMBER: Final = re.compile(r"(?<![\w./\\])(?<![A-Za-z]-)(\d+)\.(\d+)(?=e[+-]?\d|(?![\d_A-Za-z]|\.\w))")
+"""A decimal number; no version, and no part of the name of a file or of a serial number."""
 _UNIT: Final = re.compile(r"(?<![A-Za-z_.])(?:[pnµmk]?V|Hz|kHz|ms|s|min|h)(?![A-Za-z_])")
 _RANGE: Final = re.compile(r"(?<=[\d°″%]) to (?=[-−\d])")
+_PER_CENT: Final = re.compile(r"(?<=\d)%(?!\w)")
 _DATA: Final = re.compile(
-    r"(?<![\w/])(?:~|\.{0,2}|file:)/[^\s:;,()\"']+"  # a path from the root, from home, or from here
+    r"(?<![\w/°′″%])(?:~|\.{0,2}|file:)/[^\s:;,()\"']+"  # a path from the root, from home, or from here; no rate
     r"|(?:\b[A-Za-z]:\\|\\\\)[^\s:;,()\"']+"  # one of Windows
     r"|[\w.~-]+(?:[/\\][\w.~-]+)*\.[a-z]\w{1,5}\b"  # the name of a file or of a host, with a folder or without
     r"|\d+(?:\.\d+){2,}(?::\d+)?"  # an address, a version
+    r"|(?<!\w)b?(['\"])(?:(?!\1)[^\\\n]|\\.)*\1(?!\w)"  # what was typed, or answered by a device
+    r"|--[a-z][a-z-]*[ =][^\s,;]+"  # an option of a command
 )
-"""Names and addresses, which are the same in every language."""
+"""Names, addresses, commands and what is quoted, which are the same in every language."""
 _PER: Final = re.compile(r"(?<=/)(?:run|turn)\b")
 _COUNTED: Final = {
     Language.UKRAINIAN: {"run": "прогін", "turn": "оберт"},
@@ -43,9 +46,10 @@ _TO: Final = {Language.UKRAINIAN: " … ", Language.GERMAN: " bis "}
 def localised(text: str, language: Language) -> str:
     """Text with numbers and units in it, with the decimal sign, the ranges and the units of a language.
 
-    Paths, names of files, and addresses in it stay as they are.
+    Paths, names of files, addresses, options of commands and what is quoted stay as they are; so does
+    text that is `AsWritten`.
     """
-    if language is Language.ENGLISH:
+    if language is Language.ENGLISH or isinstance(text, AsWritten):
         return text
     written, end = "", 0
     for data in _DATA.finditer(text):
@@ -56,5 +60,6 @@ def localised(text: str, language: Language) -> str:
 
 def _written(text: str, language: Language) -> str:
     written = _RANGE.sub(_TO[language], _NUMBER.sub(r"\1,\2", text))
+    written = _PER_CENT.sub("\u00a0%", written)
     written = _PER.sub(lambda word: _COUNTED[language][word[0]], written)
     return _UNIT.sub(lambda unit: _CYRILLIC[unit[0]], written) if language is Language.UKRAINIAN else written

@@ -113,7 +113,7 @@ def _origin(record: Record) -> Iterator[str]:
 @click.argument("second")
 @options.store
 def compare_records(first: str, second: str, folder: Path) -> None:
-    """Compare two records: the difference of every parameter and whether it is significant."""
+    """Compare two records: the difference of every parameter and whether it is significant (5% for all together)."""
     store = open_store(folder)
     for difference in compare(store.get(first), store.get(second)):
         say(difference.sentence)

@@ -160,7 +160,9 @@ def _decade(uncertainty: float) -> int:
 
 def _plain(number: float, digits: int) -> str:
     """Significant digits without an exponent where the number is of everyday size."""
-    if number == 0 or not math.isfinite(number):
+    if number == 0:
+        return "0"
+    if not math.isfinite(number):
         return f"{number:g}"
     decade = int(f"{number:.{digits - 1}e}".partition("e")[2])
     if not -4 <= decade < 9:

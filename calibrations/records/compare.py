@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Final
 
 from scipy.special import stdtr
 
@@ -14,7 +15,8 @@ from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.messages import Message, read_back
 
-SIGNIFICANT_P = 0.05
+SIGNIFICANT_P: Final = 0.05
+"""Chance of calling any value of two records changed though none is."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,7 +53,8 @@ def compare(first: Record, second: Record) -> tuple[Difference, ...]:
     share, the gain of one DAQ and the error of one head, moves both values alike and drops out of the difference: for
     records of one stand the uncertainty is too large, and the test conservative. For two analyses of one raw file it
     is far too large: there every difference comes from the analysis, and the sentence says so. An interval
-    that is not symmetric counts by its standard uncertainty.
+    that is not symmetric counts by its standard uncertainty. Values are called changed at 5% for all of them together
+    (Bonferroni): at 5% for each, one of six that stayed as they were would be in every fourth comparison.
 
     Raises
     ------
@@ -71,15 +74,19 @@ def compare(first: Record, second: Record) -> tuple[Difference, ...]:
         )
     a, b = first.values, second.values
     same_file = set(first.provenance.source_hashes) == set(second.provenance.source_hashes)
+    compared = [name for name in a if name in b and not _obstacle(a[name], b[name])]
+    chance = SIGNIFICANT_P / max(len(compared), 1)
     return tuple(
-        _difference(a[name], b[name], same_file, [*_models(first, second), *_resting(a[name], b[name])])
+        _difference(a[name], b[name], same_file, chance, [*_models(first, second), *_resting(a[name], b[name])])
         if name in a and name in b
         else _incomparable({**a, **b}[name], Message("only one of the records has it"))
         for name in {**a, **b}
     )
 
 
-def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, remarks: Sequence[Message]) -> Difference:
+def _difference(
+    a: RecordedParameter, b: RecordedParameter, same_file: bool, chance: float, remarks: Sequence[Message]
+) -> Difference:
     obstacle = _obstacle(a, b)
     if obstacle or a.value is None or b.value is None:
         return _incomparable(a, obstacle)
@@ -87,6 +94,8 @@ def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, rem
     significance = difference / u if u else None
     freedom = _freedom(a, b, u)
     p_value = None if significance is None else _two_sided_p(significance, freedom)
+    change = _change(a, difference, u)
+    said = _of_one_file(change, a.name, difference) if same_file else _sentence(change, p_value, chance)
     return Difference(
         name=a.name,
         unit=a.unit,
@@ -95,8 +104,8 @@ def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, rem
         degrees_of_freedom=freedom,
         significance=significance,
         p_value=p_value,
-        sentence=Message.joined(" ", [_sentence(a, difference, u, p_value, same_file), *remarks]),
-        conclusion=Message.joined(" ", [*_conclusion(difference, p_value, same_file), *remarks]),
+        sentence=Message.joined(" ", [said, *remarks]),
+        conclusion=Message.joined(" ", [*_conclusion(difference, p_value, chance, same_file), *remarks]),
     )
 
 
@@ -170,31 +179,37 @@ def _two_sided_p(significance: float, freedom: float) -> float:
     return float(2.0 * stdtr(freedom, -abs(significance)))
 
 
-def _sentence(a: RecordedParameter, difference: float, u: float, p_value: float | None, same_file: bool) -> Message:
-    change = _change(a, difference, u)
-    if same_file and difference == 0.0:
-        return Message("{name} did not change: both records come from one raw file.", name=a.name)
-    if same_file:
-        return Message(
-            "{change}: both records come from one raw file, so this is what the analysis changed.", change=change
-        )
+def _sentence(change: Message, p_value: float | None, chance: float) -> Message:
     if p_value is None:
         return Message("{change}.", change=change)
-    if p_value < SIGNIFICANT_P:
+    if p_value < chance:
         return Message("{change}: significant (p = {p_value:.2g}).", change=change, p_value=p_value)
-    return Message("{change}: not significant (p = {p_value:.2g}).", change=change, p_value=p_value)
+    return Message(
+        "{change}: not significant (p = {p_value:.2g}; {chance:.1g} is asked for).",
+        change=change,
+        p_value=p_value,
+        chance=chance,
+    )
 
 
-def _conclusion(difference: float, p_value: float | None, same_file: bool) -> Iterator[Message]:
+def _of_one_file(change: Message, name: str, difference: float) -> Message:
+    if difference == 0.0:
+        return Message("{name} did not change: both records come from one raw file.", name=name)
+    return Message(
+        "{change}: both records come from one raw file, so this is what the analysis changed.", change=change
+    )
+
+
+def _conclusion(difference: float, p_value: float | None, chance: float, same_file: bool) -> Iterator[Message]:
     """What a difference means; nothing where it has no uncertainty to be held against."""
     if same_file and difference == 0.0:
         yield Message("No change: both records come from one raw file.")
     elif same_file:
         yield Message("Both records come from one raw file: this is what the analysis changed.")
-    elif p_value is not None and p_value < SIGNIFICANT_P:
+    elif p_value is not None and p_value < chance:
         yield Message("Significant (p = {p_value:.2g}).", p_value=p_value)
     elif p_value is not None:
-        yield Message("Not significant (p = {p_value:.2g}).", p_value=p_value)
+        yield Message("Not significant (p = {p_value:.2g}; {chance:.1g} is asked for).", p_value=p_value, chance=chance)
 
 
 def _change(a: RecordedParameter, difference: float, u: float) -> Message:

@@ -1,11 +1,11 @@
 """The last chapter: from which file, by which program, on which stand."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.view import Chapter, Section
-from tumble.messages import Message
+from tumble.messages import AsWritten, Message
 
 
 def origin(provenance: Provenance) -> Chapter:
@@ -15,7 +15,7 @@ def origin(provenance: Provenance) -> Chapter:
 
 def origin_sections(provenance: Provenance) -> Iterator[Section]:
     """The tables of it."""
-    commit = provenance.git_commit
+    commit: str = AsWritten(provenance.git_commit)
     if provenance.git_dirty:
         commit = Message("{commit} with uncommitted changes", commit=commit)
     facts = {
@@ -31,18 +31,22 @@ def origin_sections(provenance: Provenance) -> Iterator[Section]:
     yield Section(
         title="",
         caption=Message("From the raw file to the numbers"),
-        rows=[(name, text) for name, text in facts.items() if text],
+        rows=[(name, text if isinstance(text, Message) else AsWritten(text)) for name, text in facts.items() if text],
     )
     yield Section(
         title="",
         caption=Message("Stand file, without what is simulated"),
-        rows=list(flattened(provenance.stand)),
+        rows=_as_written(flattened(provenance.stand)),
     )
     yield Section(
         title="",
         caption=Message("Packages that took part in the analysis"),
-        rows=sorted(provenance.packages.items()),
+        rows=_as_written(sorted(provenance.packages.items())),
     )
+
+
+def _as_written(rows: Iterable[tuple[str, str]]) -> list[tuple[str, str]]:
+    return [(AsWritten(name), AsWritten(text)) for name, text in rows]
 
 
 def flattened(data: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, str]]:

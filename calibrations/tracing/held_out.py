@@ -64,7 +64,7 @@ def _errors(tracer: Tracer[Any], trace: Trace, out: BoolArray) -> FloatArray:
 
 
 def _told_part(table: Table, forms: Sequence[FloatArray], out: BoolArray, theta: FloatArray) -> list[FloatArray]:
-    """Of forms, the strongest first, those that the other rows tell with the ones before them."""
+    """Of forms, in the order in which they were found, those that the other rows tell with the ones before them."""
     if _told(table, np.column_stack([np.empty((table.rows, 0)), *forms]), out, theta):
         return list(forms)
     kept: list[FloatArray] = []

@@ -53,12 +53,12 @@ def with_best_names(tracer: Tracer[Any], trace: Trace) -> tuple[Trace, dict[str,
             break
         first, name = min(better, key=lambda each: each[0].naming_difference)
         forms = tuple(item for item in trace.found if item.effect.name == name)
-        if len(forms) > 1:
-            put_aside[first.name] = forms
+        if before := forms if len(forms) > 1 else put_aside.pop(name, ()):
+            put_aside[first.name] = before
         trace = first.trace
     for name, forms in put_aside.items():
-        if name in listed:
-            listed[name].append(put_back(tracer, trace, name, forms))
+        if name in listed and forms[0].effect.name not in trace.names:
+            listed[name] = sorted([*listed[name], put_back(tracer, trace, name, forms)], key=lambda each: each.behind)
     return trace, _near(listed)
 
 

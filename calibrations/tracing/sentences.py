@@ -28,7 +28,7 @@ def nothing_looked_for(reason: str) -> Message:
     return Message("Nothing is looked for: {reason}.", reason=reason)
 
 
-_UNIT_SUFFIXES = ("_degC", "_deg", "_arcsec_h", "_arcsec", "_s", "_V")
+_UNIT_SUFFIXES = ("_degC", "_deg", "_arcsec_h", "_arcsec", "_s", "_V", "_g", "_hz")
 _COEFFICIENTS: Final[Mapping[str, Message]] = {
     "amplitude": Message("amplitude"),
     "phase": Message("phase"),
@@ -36,6 +36,12 @@ _COEFFICIENTS: Final[Mapping[str, Message]] = {
     "slope": Message("slope"),
     "step": Message("step"),
     "at": Message("at"),
+    "threshold": Message("threshold"),
+    "period": Message("period"),
+    "row": Message("row"),
+    "reach": Message("reach"),
+    "kept": Message("reach, kept when it is mounted anew"),
+    "natural": Message("resonance"),
 }
 """What coefficients without a symbol of their own are called."""
 

@@ -82,6 +82,7 @@ def test_limits_stand_as_somebody_wrote_them(minimum, maximum, text):
         (0.010174, 3, "10.2 mV"),
         (1.78e-7, 2, "180 nV"),
         (0.0, 3, "0 V"),
+        (-0.0, 3, "0 V"),
         (2e-16, 2, "0.00020 pV"),
     ],
 )

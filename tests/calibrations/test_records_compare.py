@@ -48,11 +48,29 @@ def test_few_degrees_of_freedom_make_the_p_value_larger(record):
     assert kx.p_value == pytest.approx(0.05, abs=1e-4)
 
 
-@pytest.mark.parametrize(("value", "judgement"), [(1.002, ": significant (p = "), (1.0001, ": not significant (p = ")])
+@pytest.mark.parametrize(
+    ("value", "judgement"),
+    [(1.002, ": significant (p = "), (1.0001, ": not significant (p = 0.81; 0.05 is asked for)")],
+)
 def test_the_sentence_says_whether_the_change_is_significant(record, value, judgement):
     (kx,) = compare(record(), record("bb", value=value))
     assert kx.sentence.startswith("kx changed by +")
     assert judgement in kx.sentence
+
+
+def test_of_six_values_none_is_significant_at_a_chance_that_one_of_them_has(tmp_path):
+    store = Store(tmp_path)
+    told = {"unit": "V", "standard_uncertainty": 1e-3, "type_a": 1e-3, "interval_95": (-9.0, 9.0)}
+
+    def made(raw, value):
+        six = [Parameter(name=f"p{n}", value=value, degrees_of_freedom=float("inf"), **told) for n in range(6)]
+        values = replace(calibration(), parameters={each.name: each for each in six})
+        return store.add(entry(values), provenance(sources=(raw_source(sha256=raw * 32),)))
+
+    found = compare(made("aa", 1.0), made("bb", 1.0 + 2.2e-3 * 2**0.5))  # 2.2 standard uncertainties: p = 0.028
+    assert [each.sentence.endswith(": not significant (p = 0.028; 0.008 is asked for).") for each in found] == [
+        True
+    ] * 6
 
 
 def test_two_analyses_of_one_raw_file_differ_by_the_analysis(record):
@@ -73,7 +91,7 @@ def test_two_equal_analyses_of_one_raw_file_show_no_change(record):
     [
         ({}, "aa", "No change: both records come from one raw file."),
         ({"value": 1.1}, "aa", "Both records come from one raw file: this is what the analysis changed."),
-        ({}, "bb", "Not significant (p = 1)."),
+        ({}, "bb", "Not significant (p = 1; 0.05 is asked for)."),
         ({"value": 2.0}, "bb", "Significant (p = 0)."),
         ({"value": 2.0, "standard_uncertainty": 0.0}, "bb", ""),
         ({"unit": "mV/g"}, "bb", "Cannot be compared: it is in V/g in the first record and in mV/g in the second."),

@@ -16,7 +16,9 @@ from tumble.calibrations.methods.dividing_head.loop.sentences import (
     misread_text,
     not_identifiable,
 )
+from tumble.calibrations.report.language import say, written_in
 from tumble.calibrations.tracing.findings import Unexplained
+from tumble.messages import Language
 
 
 def finding(*arguments, **named):
@@ -107,6 +109,23 @@ def test_several_coefficients_have_their_names_without_the_unit():
 def test_a_scanned_value_without_uncertainty_has_four_digits():
     step = {"step": (1e-4, 1e-5, "V"), "threshold_V": (2.51234567, None, "V")}
     assert finding("range_step", belongs_to="daq", **step).coefficients == "step 100(10) µV, threshold 2.512 V"
+
+
+@pytest.mark.parametrize(
+    ("key", "unit", "german"),
+    [
+        ("threshold_V", "V", "Schwelle 2,500 V"),
+        ("period_V", "V", "Periode 2,500 V"),
+        ("reach_g", "g", "Reichweite 2,500 g"),
+        ("kept_g", "g", "Reichweite, bleibt beim neuen Aufspannen erhalten 2,500 g"),
+        ("natural_hz", "Hz", "Resonanz 2,500 Hz"),
+        ("row", "", "Zeile 2,500"),
+    ],
+)
+def test_what_was_scanned_for_has_a_word_in_every_language(key, unit, german):
+    coefficients = finding("x", **{"step": (1e-4, 1e-5, "V"), key: (2.5, None, unit)}).coefficients
+    with written_in(Language.GERMAN):
+        assert say(coefficients) == f"Stufe 100(10) µV, {german}"
 
 
 def test_rivals_are_listed_with_or_and_the_owner_named():

@@ -97,6 +97,11 @@ def test_a_gross_error_in_a_noisy_channel_is_judged_by_its_own_scatter(tmp_path)
             "are they in radians",
         ),
         (lambda c: c | {"outer_deg": c["inner_deg"], "inner_deg": c["outer_deg"]}, "do not follow gravity"),
+        (lambda c: c | {"u_y_V": 0.0 * c["u_y_V"]}, "the output of channel y is the same in every row"),
+        (
+            lambda c: c | {"u_y_V": 0.0 * c["u_y_V"], "u_z_V": 0.0 * c["u_z_V"]},
+            "the outputs of channels y and z are the same",
+        ),
     ],
 )
 def test_a_table_that_cannot_be_right_is_asked_about_and_traced_to_nothing(tmp_path, change, words):

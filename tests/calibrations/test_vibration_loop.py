@@ -230,6 +230,12 @@ def test_a_line_that_bends_is_not_straight():
     assert bent["o"][0]
 
 
+def test_an_output_that_never_changes_is_asked_about():
+    rows = dwells(*FIXTURES)
+    with pytest.raises(ValueError, match=r"output_ug never changes .* is the unit connected"):
+        close_vibration_loop(with_columns(rows, output_ug=100.0 * rows.mountings))
+
+
 def at_levels(rows, *levels_g):
     """Dwells of which only the rests and those of some levels are left."""
     return rows.select(np.isin(np.round(rows.level, 3), [0.0, *levels_g]))

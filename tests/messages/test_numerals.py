@@ -13,6 +13,8 @@ from tumble.numerals import localised
         ("-2.5e-07", "-2,5e-07"),
         ("it ends in 0.5.", "it ends in 0,5."),
         ("0.41 mV/run", "0,41 mV/Lauf"),
+        ("2.03(37) °/turn", "2,03(37) °/Umdrehung"),
+        ("0.62% of 25%.", "0,62\u00a0% of 25\u00a0%."),
     ],
 )
 def test_a_number_has_a_comma_and_a_range_a_word(text, german):
@@ -46,8 +48,33 @@ def test_paths_and_addresses_stay_what_they_are(name):
     assert [localised(f"{name}: 1 V", language) for language in Language] == [f"{name}: 1 {v}" for v in ("V", "В", "V")]
 
 
+@pytest.mark.parametrize(
+    "data",
+    [
+        "'ACME,7510,0.5'",
+        "'sine 0.5 g 80 Hz'",
+        "b'+0.5 V\\n'",
+        '"it\'s 0.5 V"',
+        "tumble control pause --at-most 0.5",
+        "tumble run --serial SN-0.5",
+        "SN-0.5",
+    ],
+)
+def test_what_was_typed_or_answered_stays_what_it_is(data):
+    assert [localised(f"{data}, 0.5 s", language) for language in Language] == [
+        f"{data}, {time}" for time in ("0.5 s", "0,5 с", "0,5 s")
+    ]
+
+
+def test_an_apostrophe_quotes_nothing():
+    assert localised("the stand's 0.5 V and the unit's 1.5 V", Language.GERMAN) == (
+        "the stand's 0,5 V and the unit's 1,5 V"
+    )
+
+
 def test_a_rate_is_no_path():
     assert localised("0.5 mV/h, 1.5 V/(g h), V/s", Language.UKRAINIAN) == "0,5 мВ/год, 1,5 В/(g год), В/с"
+    assert localised("8.8(1) °/h, 3 ″/h, (°/h²)", Language.UKRAINIAN) == "8,8(1) °/год, 3 ″/год, (°/год²)"
 
 
 def test_units_are_cyrillic_in_ukrainian():

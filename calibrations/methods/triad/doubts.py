@@ -1,10 +1,12 @@
 """What a table of a triad is asked about before anything is stated: channels, senses of rotation, units of angles."""
 
+from collections.abc import Sequence
 from itertools import permutations, product
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.sentences import series
 from tumble.calibrations.methods.triad.model import response
 from tumble.calibrations.methods.triad.observations import CHANNELS, TriadObservations
 from tumble.calibrations.methods.triad.table import TriadTable
@@ -21,11 +23,24 @@ def doubts(table: TriadTable, residual_v: FloatArray) -> tuple[str, ...]:
     `residual_v` is what the declared model leaves, shape (dwells, 3).
     """
     observations = table.observations
+    ranges_v = np.ptp(observations.outputs_v, axis=0)
+    if np.any(ranges_v == 0.0):
+        return (_dead([channel for channel, range_v in zip(CHANNELS, ranges_v, strict=True) if range_v == 0.0]),)
     range_v = float(np.ptp(observations.outputs_v))
     if float(np.sqrt(np.mean(residual_v**2))) > _BAD * range_v:
         return (_misfit(observations),)
     matched = _nearest_axes(response(table.scene.theta))
     return (matched,) if matched else ()
+
+
+def _dead(channels: Sequence[str]) -> str:
+    """What is asked of outputs that never change."""
+    return Message.counted(
+        "the output of channel {channels} is the same in every row, however the unit is turned; is it connected?",
+        "the outputs of channels {channels} are the same in every row, however the unit is turned; are they connected?",
+        count=len(channels),
+        channels=series(channels),
+    )
 
 
 def _misfit(observations: TriadObservations) -> str:

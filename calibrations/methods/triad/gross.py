@@ -22,13 +22,17 @@ def gross_errors(observations: TriadObservations) -> tuple[SetAside, ...]:
 
     Residuals are weighed by channel, so that a channel that scatters more is not taken for one that errs. Where a
     position was visited more than once, a dwell must also differ as much from the median of the other visits: what
-    comes back at every visit is no gross error but structure.
+    comes back at every visit is no gross error but structure; and where most dwells are far off, as of channels that
+    are not connected, none is.
     """
     weighted = _robust_residual(observations)
     spare = weighted.size - INTERNAL
     scale = max(float(1.4826 * np.median(np.abs(weighted)) * np.sqrt(weighted.size / max(spare, 1))), 1e-12)
     limit = gross_sigmas(spare) * scale
     worst = np.abs(weighted).argmax(axis=1)
+    far = np.flatnonzero(np.abs(weighted).max(axis=1) > limit).tolist()
+    if 2 * len(far) > len(observations):
+        return ()
     return tuple(
         SetAside(
             row=int(observations.row[dwell]),
@@ -39,7 +43,7 @@ def gross_errors(observations: TriadObservations) -> tuple[SetAside, ...]:
             ),
             gross=True,
         )
-        for dwell in np.flatnonzero(np.abs(weighted).max(axis=1) > limit).tolist()
+        for dwell in far
         if _differs_from_repeats(observations, weighted, dwell, limit)
     )
 

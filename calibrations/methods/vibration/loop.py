@@ -78,7 +78,7 @@ class VibrationLoop(ClosedLoop[VibrationDeclared, VibrationTable, VibrationFit])
 
 @one_blas_thread
 def declared_fit(observations: VibrationObservations, reference_temperature_degc: float = 23.0) -> VibrationDeclared:
-    """Fit the coefficients to vibrated dwells. Raises `ValueError` where there are too few of them."""
+    """Fit the coefficients to vibrated dwells. Raises `ValueError`: too few, or an output that never changes."""
     _check(observations)
     whole = vibration_table(observations, observations, reference_temperature_degc)
     return _declared(observations, gross_errors(whole), reference_temperature_degc)
@@ -108,13 +108,21 @@ def _check(observations: VibrationObservations) -> None:
                 fewest=FEWEST_VIBRATED,
             )
         )
+    numbers = observations.mountings
+    if not any(np.ptp(observations.output_ug[numbers == number]) for number in np.unique(numbers)):
+        raise ValueError(
+            Message(
+                "{source}: output_ug never changes between rest and vibration in a mounting; is the unit connected?",
+                source=observations.source or "table",
+            )
+        )
 
 
 @one_blas_thread
 def close_vibration_loop(
     observations: VibrationObservations, reference_temperature_degc: float = 23.0
 ) -> VibrationLoop:
-    """Trace what the five coefficients leave of a table. Raises `ValueError` where there are too few dwells.
+    """Trace what the five coefficients leave of a table. Raises `ValueError` as `declared_fit`.
 
     What was found may explain dwells that were set aside as gross errors: then all is traced again with these.
     """
