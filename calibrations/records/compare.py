@@ -1,7 +1,7 @@
 """What changed from one record to another."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 
 from scipy.special import stdtr
@@ -70,9 +70,10 @@ def compare(first: Record, second: Record) -> tuple[Difference, ...]:
             )
         )
     a, b = first.values, second.values
-    same_file = set(first.provenance.source_hashes) == set(second.provenance.source_hashes)
+    files, others = set(first.provenance.source_hashes), set(second.provenance.source_hashes)
+    of_both = [*_in_common(files, others), *_models(first, second)]
     return tuple(
-        _difference(a[name], b[name], same_file, [*_models(first, second), *_resting(a[name], b[name])])
+        _difference(a[name], b[name], files == others, [*of_both, *_resting(a[name], b[name])])
         if name in a and name in b
         else _incomparable({**a, **b}[name], Message("only one of the records has it"))
         for name in {**a, **b}
@@ -98,6 +99,12 @@ def _difference(a: RecordedParameter, b: RecordedParameter, same_file: bool, rem
         sentence=Message.joined(" ", [_sentence(a, difference, u, p_value, same_file), *remarks]),
         conclusion=Message.joined(" ", [*_conclusion(difference, p_value, same_file), *remarks]),
     )
+
+
+def _in_common(files: Set[str], others: Set[str]) -> Iterator[Message]:
+    """That the records are not independent, where they are of some of the same raw files, by their hashes."""
+    if files & others and files != others:
+        yield Message("They have raw files in common: the uncertainty is too large, and the test conservative.")
 
 
 def _models(first: Record, second: Record) -> Iterator[Message]:
