@@ -1,7 +1,7 @@
 """What changed from one record to another."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 from typing import Final
 
@@ -73,11 +73,12 @@ def compare(first: Record, second: Record) -> tuple[Difference, ...]:
             )
         )
     a, b = first.values, second.values
-    same_file = set(first.provenance.source_hashes) == set(second.provenance.source_hashes)
+    files, others = set(first.provenance.source_hashes), set(second.provenance.source_hashes)
+    of_both = [*_in_common(files, others), *_models(first, second)]
     compared = [name for name in a if name in b and not _obstacle(a[name], b[name])]
     chance = SIGNIFICANT_P / max(len(compared), 1)
     return tuple(
-        _difference(a[name], b[name], same_file, chance, [*_models(first, second), *_resting(a[name], b[name])])
+        _difference(a[name], b[name], files == others, chance, [*of_both, *_resting(a[name], b[name])])
         if name in a and name in b
         else _incomparable({**a, **b}[name], Message("only one of the records has it"))
         for name in {**a, **b}
@@ -107,6 +108,12 @@ def _difference(
         sentence=Message.joined(" ", [said, *remarks]),
         conclusion=Message.joined(" ", [*_conclusion(difference, p_value, chance, same_file), *remarks]),
     )
+
+
+def _in_common(files: Set[str], others: Set[str]) -> Iterator[Message]:
+    """That the records are not independent, where they are of some of the same raw files, by their hashes."""
+    if files & others and files != others:
+        yield Message("They have raw files in common: the uncertainty is too large, and the test conservative.")
 
 
 def _models(first: Record, second: Record) -> Iterator[Message]:

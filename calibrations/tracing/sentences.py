@@ -51,11 +51,16 @@ class Finding:
     """One effect found, every cell as text."""
 
     name: str
-    also_possible: str
-    """The effects that explain the data as well; empty where it is distinguished."""
+    others: tuple[str, ...]
+    """The effects that explain the data as well, by their names; none where it is distinguished."""
     belongs_to: str
     coefficients: str
     p_value: str
+
+    @property
+    def also_possible(self) -> str:
+        """The same as a list in words; empty where there are none."""
+        return series(self.others, "or") if self.others else ""
 
 
 def findings(effects: Sequence[EffectFound]) -> list[Finding]:
@@ -63,7 +68,7 @@ def findings(effects: Sequence[EffectFound]) -> list[Finding]:
     return [
         Finding(
             name=effect.name,
-            also_possible=series(effect.also_possible, "or") if effect.also_possible else "",
+            others=effect.also_possible,
             belongs_to=OWNER_WORDS[effect.belongs_to],
             coefficients=_coefficients(effect),
             p_value=format_probability(effect.p_value),

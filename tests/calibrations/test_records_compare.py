@@ -16,14 +16,14 @@ def record(tmp_path):
     """Makes a record whose only parameter is kx, as given."""
     store = Store(tmp_path)
 
-    def make(raw="aa", freedom=float("inf"), **fields):
+    def make(*raw, freedom=float("inf"), **fields):
         told = {"value": 1.0, "standard_uncertainty": 3e-4, "type_a": 3e-4, "interval_95": (0.9, 1.1), **fields}
         # What a value is given by stands in the same record.
         conditions = {"alpha0": calibration().parameters["alpha0"]} if "given" in fields else {}
         kx = Parameter(**({"name": "kx", "unit": "V/g", "degrees_of_freedom": freedom} | told))
         return store.add(
             entry(replace(calibration(), parameters={kx.name: kx, **conditions})),
-            provenance(sources=(raw_source(sha256=raw * 32),)),
+            provenance(sources=tuple(raw_source(sha256=each * 32) for each in raw or ("aa",))),
         )
 
     return make
@@ -101,6 +101,13 @@ def test_what_a_difference_means_is_said_alone(record, second, sha256, conclusio
     first = {"standard_uncertainty": 0.0} if "standard_uncertainty" in second else {}
     kx, *_ = compare(record(**first), record(sha256, **second))
     assert kx.conclusion == conclusion
+
+
+def test_records_with_some_raw_files_in_common_are_not_taken_for_independent(record):
+    (kx,) = compare(record("aa"), record("aa", "bb", value=2.0))
+    remark = "They have raw files in common: the uncertainty is too large, and the test conservative."
+    assert kx.conclusion == f"Significant (p = 0). {remark}"
+    assert kx.sentence.endswith(f": significant (p = 0). {remark}")
 
 
 def test_a_difference_without_uncertainty_has_no_significance(record):

@@ -22,15 +22,24 @@ def record_at(qapp, tmp_path):
 
 
 @pytest.fixture
-def in_kyiv(monkeypatch):
-    """Two hours ahead of UTC in winter."""
+def desktop_in(monkeypatch):
+    """Has the desktop in a time zone."""
     before = QLocale()
-    monkeypatch.setenv("TZ", "Europe/Kyiv")
-    time.tzset()
-    yield
+
+    def stay(zone):
+        monkeypatch.setenv("TZ", zone)
+        time.tzset()
+
+    yield stay
     QLocale.setDefault(before)
     monkeypatch.undo()
     time.tzset()
+
+
+@pytest.fixture
+def in_kyiv(desktop_in):
+    """Two hours ahead of UTC in winter."""
+    desktop_in("Europe/Kyiv")
 
 
 def test_a_list_tells_the_time_of_the_desktop(record_at, in_kyiv):
@@ -52,3 +61,25 @@ def test_a_day_that_is_looked_for_is_one_of_the_desktop(in_kyiv, qtbot):
     qtbot.addWidget(search)
     search.since.setDate(QDate(2026, 11, 28))
     assert search.wanted().since == datetime(2026, 11, 27, 22, 0, tzinfo=UTC)
+
+
+def test_a_day_lasts_to_the_end_of_an_hour_that_comes_twice(desktop_in, qtbot):
+    desktop_in("America/Santiago")  # 24:00 becomes 23:00 on 4 April 2026, from UTC-3 to UTC-4 (tz database)
+    search = RecordSearch()
+    qtbot.addWidget(search)
+    search.until.setDate(QDate(2026, 4, 4))
+    assert search.wanted().until == datetime(2026, 4, 5, 3, 59, 59, 999999, tzinfo=UTC)
+
+
+def test_a_day_begins_after_an_hour_that_does_not_come(desktop_in, qtbot):
+    desktop_in("America/Santiago")  # 24:00 becomes 1:00 on 5 September 2026, from UTC-4 to UTC-3 (tz database)
+    search = RecordSearch()
+    qtbot.addWidget(search)
+    search.since.setDate(QDate(2026, 9, 6))
+    assert search.wanted().since == datetime(2026, 9, 6, 4, 0, tzinfo=UTC)
+
+
+def test_the_last_moment_of_a_day_is_shown_on_that_day(record_at, in_kyiv):
+    QLocale.setDefault(QLocale("de_DE"))
+    (line,) = lines_of([record_at("2026-11-27T21:59:59.700000+00:00")], {})
+    assert "27.11.26 23:59" in line.cells

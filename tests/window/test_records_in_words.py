@@ -116,3 +116,9 @@ def test_a_joint_record_is_told_from_the_first_of_its_runs(record_of, qapp):
     found = comparison(first, joint)
     assert found.first.endswith(", seed")
     assert found.second.endswith(", seed + 1")
+
+
+def test_records_that_nothing_else_tells_apart_are_called_by_their_ids(record_of, qapp):
+    first, second = record_of(), record_of(sources=[raw_source(sha256="bb" * 32)])
+    found = comparison(first, second)
+    assert (found.first, found.second) == (f"P-1, {first.id}", f"P-1, {second.id}")

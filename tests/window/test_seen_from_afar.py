@@ -65,6 +65,18 @@ def test_a_stand_that_carries_out_an_order_is_not_ready(driver, reaching):
     driver.wait(lambda: driver.window.strip.state.text == "Ready")
 
 
+def test_an_order_that_is_told_to_stop_is_said_to_stop(driver, reaching):
+    driver.window.stand.connect_button.click()
+    driver.wait(reaching.is_set)
+    driver.window.worker.stop()
+    assert strip(driver).state.text == "Stopping"
+    driver.wait(lambda: strip(driver).state.text == "Ready")
+    driver.window.stand.connect_button.click()
+    assert strip(driver).state.text == "At work"
+    driver.window.worker.stop()
+    driver.wait(lambda: strip(driver).state.text == "Ready")
+
+
 def test_a_fault_is_red(driver):
     driver.run.course.see_unrest()
     assert strip(driver).state.tint is RED

@@ -1,13 +1,14 @@
 """Moments as the language of the window writes them, in the time of the desktop."""
 
 from datetime import datetime
+from math import floor
 
 from PySide6.QtCore import QDate, QDateTime, QLocale
 
 
 def moment_text(moment: datetime) -> str:
     """A moment as a reader is told it."""
-    shown = QDateTime.fromSecsSinceEpoch(round(moment.timestamp()))
+    shown = QDateTime.fromSecsSinceEpoch(floor(moment.timestamp()))
     return QLocale().toString(shown, QLocale.FormatType.ShortFormat)
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QLabel, QListWidget, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
+from tumble.calibrations.core.sentences import series
 from tumble.window.look.language import tr
 from tumble.window.look.names import effect_name
 from tumble.window.look.numbers import local, minutes
@@ -79,7 +80,7 @@ class LoopView(QScrollArea):
             [
                 (
                     effect_name(found.name),
-                    in_language(found.also_possible),
+                    _alternatives(found.others),
                     in_language(found.belongs_to),
                     local(found.coefficients),
                     local(found.p_value),
@@ -133,6 +134,11 @@ class LoopView(QScrollArea):
     def _run(self) -> None:
         if programme := self._chosen():
             self.experiment_wanted.emit(programme)
+
+
+def _alternatives(effects: Sequence[str]) -> str:
+    """What explains the data as well, in words."""
+    return in_language(series(tuple(map(effect_name, effects)), "or")) if effects else ""
 
 
 def _wrapped() -> QLabel:

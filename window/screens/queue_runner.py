@@ -74,9 +74,9 @@ class QueueRunner(QObject):
 
     def open(self) -> None:
         """Read what the store has kept, and go on looking at it: other windows of the store have a part in it."""
+        self._hold("")
         self._file.leave()
-        self._file, self._of, self._wanted, self._seated_entry = QueueFile(self._folder()), [], None, None
-        self.going, self.said = False, ""
+        self._file, self._of = QueueFile(self._folder()), []
         self._file.sweep()
         self.look()
         self.changed.emit()
@@ -89,12 +89,15 @@ class QueueRunner(QObject):
         except (InputError, JobError) as error:
             self.refused.emit(error)
             return
-        if changed:
+        if self._wanted is not None and not self.queue.awaits_unit(self._wanted, self._file.owner):
+            self.hold()
+        elif changed:
             self.changed.emit()
 
     def leave(self) -> None:
-        """Carry nothing out any more: what was under way here is stopped."""
+        """Carry nothing out any more: what was under way here is stopped, and what was not begun waits on."""
         self._watch.stop()
+        self._hold("")
         self._file.leave()
 
     def follow(self, course: RunCourse) -> None:
@@ -250,12 +253,8 @@ class QueueRunner(QObject):
 
     def _fail(self, entry: Entry, why: str) -> None:
         self._change(entry.id, lambda each: each.failed(why))
-        self._hold(
-            tr(
-                "The queue is held: {unit} failed, as its line says. F4 goes on with the next.",
-                unit=entry.serial_number,
-            )
-        )
+        unit = entry.serial_number
+        self._hold(tr("The queue is held: {unit} failed, as its line says. F4 goes on with the next.", unit=unit))
 
     def _hold(self, said: str) -> None:
         self.going, self.said = False, said
@@ -271,8 +270,8 @@ class QueueRunner(QObject):
             self.unit_wanted.emit("")
 
     def _release(self, entry: Entry | None) -> None:
-        """Have an entry wait again, for any window."""
-        self._change(entry.id if entry else None, lambda each: each.at(Stage.WAITING))
+        """Have an entry wait again, for any window, unless something else became of it."""
+        self._change(entry.id if entry else None, Entry.given_up)
 
     def _id(self, activity: Activity) -> str | None:
         return next((entry_id for each, entry_id in self._of if each is activity), None)

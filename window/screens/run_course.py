@@ -52,6 +52,7 @@ class RunCourse(QObject):
         worker.position_seen.connect(self._see)
         worker.connected.connect(lambda _: self.see_rest())
         worker.restless.connect(self.see_unrest)
+        worker.stopping.connect(self._see_stop)
         worker.working.connect(self._see_work)
         worker.recorded.connect(self._record)
         worker.measured.connect(self._end_well)
@@ -146,8 +147,11 @@ class RunCourse(QObject):
         if isinstance(event, StateChanged) or repeatable != self.now.repeatable:
             self.changed.emit()
 
+    def _see_stop(self) -> None:
+        self.now.halting = True
+
     def _see_work(self, working: bool) -> None:
-        self.now.at_work = working
+        self.now.at_work, self.now.halting = working, working and self.now.halting
         self.changed.emit()
 
     def _see(self, name: str, status: PositionerStatus) -> None:

@@ -37,6 +37,8 @@ class RunState:
     """Whether a run has the stand."""
     at_work: bool = False
     """Whether the stand carries out an order: a run, or a move by hand, or connecting."""
+    halting: bool = False
+    """Whether that is told to stop."""
     concluding: int = 0
     """Runs that are over and have no result yet."""
     changing_unit: bool = False
@@ -138,7 +140,7 @@ class RunState:
         if self.running and self.state is State.IDLE:
             return tr("Getting ready")
         if self.at_work and not (self.running or self.waiting):
-            return tr("At work")
+            return state_name(State.STOPPING) if self.halting else tr("At work")
         return state_name(State.AWAITING_OPERATOR if self.waiting else self.state)
 
     @property

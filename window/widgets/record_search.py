@@ -1,6 +1,7 @@
 """What records are looked for."""
 
-from datetime import date, datetime, time
+from datetime import UTC, datetime, timedelta
+from typing import Final
 
 from PySide6.QtCore import QDate, Signal
 from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QWidget
@@ -8,6 +9,9 @@ from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEd
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.wanted import Wanted
 from tumble.window.look.language import tr
+
+_LEAST: Final = timedelta(microseconds=1)
+"""By which moments of records differ."""
 
 
 class RecordSearch(QWidget):
@@ -57,8 +61,8 @@ class RecordSearch(QWidget):
             part_of_serial_number=self.serial.text().strip(),
             programme_name=self.programme.currentData() or "",
             verdict=self.verdict.currentData(),
-            since=_moment(self.since, time.min),
-            until=_moment(self.until, time.max),
+            since=None if (first := _chosen(self.since)) is None else _beginning(first),
+            until=None if (last := _chosen(self.until)) is None else _beginning(last.addDays(1)) - _LEAST,
         )
 
     def offer(self, programmes: tuple[str, ...]) -> None:
@@ -91,8 +95,11 @@ class _Day(QDateEdit):
         return QWidget.focusNextPrevChild(self, forwards)
 
 
-def _moment(field: QDateEdit, at: time) -> datetime | None:
-    if field.date() == field.minimumDate():
-        return None
-    day = field.date()
-    return datetime.combine(date(day.year(), day.month(), day.day()), at).astimezone()
+def _chosen(field: QDateEdit) -> QDate | None:
+    """The day in a field; None for any."""
+    return None if field.date() == field.minimumDate() else field.date()
+
+
+def _beginning(day: QDate) -> datetime:
+    """When a day begins on the desktop, also where its first hour is left out or comes twice."""
+    return datetime.fromtimestamp(day.startOfDay().toSecsSinceEpoch(), UTC)

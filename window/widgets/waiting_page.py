@@ -2,9 +2,9 @@
 
 from typing import Final
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QShowEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from tumble.window.look.tints import AMBER
 from tumble.window.widgets.banner import Banner
@@ -12,16 +12,25 @@ from tumble.window.widgets.motion_button import MotionButton
 
 _ROUND: Final = 8
 _ANSWER_PT: Final = 20
+_SETTLING_MS: Final = 40
+"""The parts of a screen find their places one after the other."""
 
 
 class WaitingPage(QFrame):
-    """A picture, where there is one, beside words of 40 pt and more, one below the other, and what answers them."""
+    """A picture, where there is one, beside words of 40 pt and more, one below the other, and what answers them.
+
+    The answer, which is the last of the column, comes into sight with the question wherever that is scrolled.
+    """
 
     def __init__(self, picture: QWidget | None = None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.unit, self.words = Banner(), Banner()
         """Which unit it is, and what there is to do."""
         self.column = QVBoxLayout()
+        self._seen_at: QPoint | None = None
+        """Where the answer lay when it was brought into sight last."""
+        self._laid_out = QTimer(self, singleShot=True, interval=_SETTLING_MS)
+        self._laid_out.timeout.connect(self._bring_answer)
         for banner in (self.unit, self.words):
             banner.hide()
             self.column.addWidget(banner)
@@ -37,7 +46,30 @@ class WaitingPage(QFrame):
 
     def say(self, words: str) -> None:
         """Say what there is to do."""
+        if words != self.words.text:
+            self._look_for_answer()
         _say(self.words, words)
+
+    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  # Qt's name
+        """Come with the answer in sight."""
+        super().showEvent(event)
+        self._look_for_answer()
+
+    def _look_for_answer(self) -> None:
+        self._seen_at = None
+        self._laid_out.start()
+
+    def _bring_answer(self) -> None:
+        """Scroll what the page lies in as far as the answer needs, until that stays where it is."""
+        area, last = _area_of(self), self.column.itemAt(self.column.count() - 1)
+        screen, answer = area and area.widget(), last and last.widget()
+        if not (area and screen and answer and answer.isVisible()):
+            return
+        place = answer.mapTo(screen, answer.rect().bottomLeft())
+        area.ensureVisible(place.x(), place.y(), 0, _ROUND)  # `ensureWidgetVisible` goes by the cursor of a field
+        if place != self._seen_at:
+            self._seen_at = place
+            self._laid_out.start()
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802, ARG002  # Qt's name
         """Lay the ground."""
@@ -62,6 +94,14 @@ def _say(banner: Banner, text: str) -> None:
     if banner.text != text:
         banner.say(text, AMBER)
     banner.setVisible(bool(text))
+
+
+def _area_of(part: QWidget) -> QScrollArea | None:
+    """What a part is scrolled in; None where it is not."""
+    around = part.parentWidget()
+    while around is not None and not isinstance(around, QScrollArea):
+        around = around.parentWidget()
+    return around
 
 
 def _on_paper(picture: QWidget) -> QFrame:

@@ -1,5 +1,7 @@
 """Two records held against each other, put into words where that keeps nobody waiting."""
 
+from collections.abc import Callable
+
 from tumble.calibrations.core.quantities import format_quantity
 from tumble.calibrations.records.compare import Difference, compare
 from tumble.calibrations.records.parameter import RecordedParameter
@@ -15,10 +17,13 @@ from tumble.window.work.record_words import programme_text
 def comparison(first: Record, second: Record) -> Comparison:
     """Hold the values to use against each other. Raises `RecordError` where the records are of different methods."""
     lines = [_line(each, first.values.get(each.name), second.values.get(each.name)) for each in compare(first, second)]
-    moments = [written_moment_text(each.provenance.measured_at) for each in (first, second)]
-    beside = map(programme_text, (first, second)) if moments[0] == moments[1] else moments
-    called = [_called(record, text) for record, text in zip((first, second), beside, strict=True)]
-    return Comparison(first=called[0], second=called[1], lines=lines)
+    ways: tuple[Callable[[Record], str], ...] = (_moment_text, programme_text, lambda each: each.id)
+    beside = next(way for way in ways if way(first) != way(second) or way is ways[-1])
+    return Comparison(first=_called(first, beside(first)), second=_called(second, beside(second)), lines=lines)
+
+
+def _moment_text(record: Record) -> str:
+    return written_moment_text(record.provenance.measured_at)
 
 
 def _line(found: Difference, a: RecordedParameter | None, b: RecordedParameter | None) -> ComparedLine:

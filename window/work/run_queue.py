@@ -70,6 +70,10 @@ class Entry:
         """The same with its recording."""
         return replace(self, recording=str(path))
 
+    def given_up(self) -> "Entry":
+        """The same, waiting for any window again, unless something else became of it."""
+        return self.at(Stage.WAITING) if self.stage in AT_STAND else self
+
     def failed(self, why: str) -> "Entry":
         """The same once it has failed."""
         return replace(self.at(Stage.FAILED), said=why)
@@ -120,6 +124,11 @@ class RunQueue:
     def get(self, entry_id: str) -> Entry | None:
         """The entry of an id; None where it was removed."""
         return next((entry for entry in self.entries if entry.id == entry_id), None)
+
+    def awaits_unit(self, entry_id: str, owner: str) -> bool:
+        """Whether a window is still to begin an entry once its unit is there."""
+        entry = self.get(entry_id)
+        return entry is not None and entry.stage is Stage.MOUNTING and entry.owner == owner
 
     def change(self, entry_id: str, change: Callable[[Entry], Entry]) -> None:
         """Put what becomes of an entry in its place, unless it was removed meanwhile."""
