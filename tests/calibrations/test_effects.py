@@ -59,6 +59,16 @@ def test_settling_leaves_a_part_of_the_reading_before_but_not_over_a_new_mount()
     assert found == pytest.approx([0.0, 2.0, 0.0])
 
 
+@pytest.mark.parametrize(("time_s", "left"), [([0.0, 3.0, 9.0], [0.0, 1.0, 1.0]), ([0.0, 3.0, 603.0], [0.0, 1.0, 0.0])])
+def test_settling_leaves_a_part_over_the_beginning_of_a_run_that_followed_at_once(time_s, left):
+    found = column("settling", [0.0, 90.0, 0.0], time_s=np.array(time_s), run=np.array([0, 0, 1]))
+    assert np.abs(found).tolist() == pytest.approx(left)
+
+
+def test_where_no_time_is_known_a_run_begins_after_a_pause():
+    assert column("settling", [0.0, 90.0, 0.0], run=np.array([0, 0, 1]))[2] == 0.0
+
+
 def test_settling_leaves_nothing_over_a_pause():
     assert BY_NAME["settling"].forms(scene([-90.0, 90.0], time_s=np.array([0.0, 100.0]))) == ()
 

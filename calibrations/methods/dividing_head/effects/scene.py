@@ -147,9 +147,13 @@ class Scene:
 
     @property
     def _follows(self) -> NDArray[np.bool_]:
-        hours = self.hours
-        pause = np.zeros(len(self.angle_deg), dtype=bool)
-        if hours is not None:
-            pause = np.diff(hours, prepend=hours[0]) * 3600.0 > PAUSE_S
+        """Where one dwell followed on the other: in one mount without a pause, also where another run began between.
+
+        Where no time is known, a run begins after a pause.
+        """
         gap = np.diff(self.observations.row, prepend=self.observations.row[0]) > 1
-        return np.asarray(~self._remounted & ~pause & ~gap)
+        if self.hours is None:
+            return np.asarray(~self._remounted & ~gap)
+        pause = np.diff(self.hours, prepend=-np.inf) * 3600.0 > PAUSE_S
+        mounts = self.observations.mounts
+        return np.asarray((mounts == np.roll(mounts, 1)) & ~pause & ~gap)
