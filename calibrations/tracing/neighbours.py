@@ -169,7 +169,12 @@ def _with_two_more(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Tra
 
 
 def _of_other_effects(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, Trace]]:
-    """Sets that the search followed and that differ by more than one effect added, left out or exchanged."""
+    """Sets that the search followed and that differ by more than one effect added, left out or exchanged.
+
+    Only in the noise in which the table was searched first: in another one all sets would be fitted for this alone.
+    """
+    if trace.noise != tracer.noise:
+        return
     problem = tracer.problem(trace.noise).named()
     for explanation in islice(runners_up(problem), _SETS):
         sets = [found(problem, number) for number in explanation.chosen]
