@@ -60,8 +60,6 @@ class Problem:
     """Weighted, shape (rows, n)."""
     residual: FloatArray
     """Weighted output less the declared fit, shape (rows,)."""
-    root: FloatArray
-    """Roots of the weights."""
     forms: tuple[tuple[str, int, int], ...]
     """Of each form its effect, its coefficients and its columns, in their order."""
 
@@ -112,7 +110,6 @@ def problem(observations: Observations) -> Problem:
         tangent=_tangent(joint) * root[:, None],
         columns=all_columns(offered, len(root)) * root[:, None],
         residual=joint.residual_v * root,
-        root=root,
         forms=tuple((one.effect.name, one.coefficients, one.form.columns.shape[1]) for one in offered),
     )
 

@@ -177,12 +177,12 @@ def _of_other_effects(tracer: Tracer[Any], trace: Trace) -> Iterator[tuple[str, 
         return
     problem = tracer.problem(trace.noise).named()
     for explanation in islice(runners_up(problem), _SETS):
-        sets = [found(problem, number) for number in explanation.chosen]
-        names = {item.effect.name for item in sets}
+        items = [found(problem, number) for number in explanation.chosen]
+        names = {item.effect.name for item in items}
         other, lacking = sorted(names.difference(trace.names)), set(trace.names) - names
         exchanged = other and lacking and len(other) + len(lacking) > _EXCHANGED
-        if exchanged and not any(item.effect.random for item in sets):
-            yield other[0], refined(tracer.table, replace(trace, found=tuple(sets)), rounds=1)
+        if exchanged and not any(item.effect.random for item in items):
+            yield other[0], refined(tracer.table, replace(trace, found=tuple(items)), rounds=1)
 
 
 def _may_join(candidate: Candidate, taken: Sequence[str]) -> bool:
