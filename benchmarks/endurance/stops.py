@@ -99,9 +99,8 @@ def tell(runs: list[Stopped]) -> None:
         print(f"{count} {reason}, {'at a standstill' if rests else 'no standstill read back'}")
     slow = sorted(((each.took_s, each) for each in runs if each.took_s is not None), key=lambda pair: pair[0])
     rested = [took_s for took_s, each in slow if each.outcome.at_standstill]
-    print(
-        f"{len(slow)} stopped; at a standstill after {median(rested):.3f} s in the median, {max(rested):.2f} s at most"
-    )
+    took = f"after {median(rested):.3f} s in the median, {max(rested):.2f} s at most" if rested else "in none"
+    print(f"{len(slow)} stopped; at a standstill {took}")
     for took_s, each in slow[-5:]:
         print(f"  {took_s:.2f} s: {each.stand}: {each.outcome.message}")
 
