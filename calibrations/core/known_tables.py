@@ -57,7 +57,7 @@ def recognised(path: Path, methods: Sequence[Method]) -> Method:
         )
     if method := reader(methods, header, numbers):
         return method
-    nearest = sorted(methods, key=lambda method: -sum(_bare(name) in method.columns for name in header))
+    nearest = sorted(methods, key=lambda method: _likeness(method, header), reverse=True)
     hints = (_answer(method, partial(method.hint, header, numbers), "") for method in nearest)
     hint = next(filter(None, hints), Message("not a table that tumble knows"))
     raise TableError(
@@ -76,9 +76,19 @@ def reader(methods: Iterable[Method], header: Sequence[str], numbers: Sequence[s
     return next((method for method in methods if _answer(method, partial(method.reads, header, numbers), False)), None)
 
 
+def _likeness(method: Method, header: Sequence[str]) -> tuple[int, int]:
+    """How many of the columns a method names as they are, and how many without their unit."""
+    return sum(name in method.columns for name in header), sum(_bare(name) in method.columns for name in header)
+
+
 def _bare(name: str) -> str:
     """A column's name without its unit."""
     return name.rpartition("_")[0] or name
+
+
+def _unit(name: str) -> str:
+    """The unit that a column's name ends with, in small letters; empty where it has none."""
+    return name.rpartition("_")[2].lower() if "_" in name else ""
 
 
 def _answer(method: Method, ask: Callable[[], _Answer], otherwise: _Answer) -> _Answer:
@@ -101,16 +111,25 @@ def _answer(method: Method, ask: Callable[[], _Answer], otherwise: _Answer) -> _
 def misspelt(header: Sequence[str], known: Sequence[str], wanted: Sequence[str]) -> str:
     """What to ask where columns that are wanted are missing and others look like them; empty where none does.
 
-    `known` are columns that are spelt right.
+    `known` are columns that are spelt right. Where one column alone is missing, another name is asked about that is
+    the only one in its unit.
     """
     missing = [name for name in wanted if name not in header]
     lowered = {name.lower(): name for name in header if name not in known}
     close = {name: difflib.get_close_matches(name.lower(), lowered, n=1, cutoff=_NEAR) for name in missing}
+    if len(missing) == 1 < len(wanted):
+        close[missing[0]] = close[missing[0]] or _in_the_unit_of(missing[0].lower(), lowered)
     near = {lowered[names[0]]: name for name, names in close.items() if names}
     if not near:
         return ""
     asked = series([f"{given} {name}" for given, name in near.items()])
     return Message("column {name} is missing; is {asked}? Rename and check the unit", name=missing[0], asked=asked)
+
+
+def _in_the_unit_of(name: str, others: Iterable[str]) -> list[str]:
+    """The other name in the unit of `name`, all in small letters; empty where there is none, or more than one."""
+    alike = [other for other in others if _unit(other) and _unit(other) == _unit(name)]
+    return alike if len(alike) == 1 else []
 
 
 def _foreign(header: Sequence[str]) -> str:

@@ -13,7 +13,7 @@ a temperature) are one block. Three things are asked of every effect, beside eve
   is left.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -99,8 +99,9 @@ def gathered(table: Table, trace: Trace) -> dict[str, Evidence]:
 
 
 def settings_differ(table: Table, trace: Trace) -> Lack:
-    """By how much settings differ beyond the model and everything that was found."""
-    return lack_of_fit(Linearised(table, trace).partial(""), table.blocks("angle"))
+    """By how much settings differ beyond the model and everything that was found; untested where nothing is traced."""
+    lack = lack_of_fit(Linearised(table, trace).partial(""), table.blocks("angle"))
+    return replace(lack, alike=1.0) if table.not_traced else lack
 
 
 def evidence(table: Table, trace: Trace, name: str) -> Evidence:

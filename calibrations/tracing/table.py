@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.quantities import format_number
+from tumble.calibrations.core.resolution import as_written, last_digit
 from tumble.calibrations.core.solutions import SINGULAR
 from tumble.calibrations.tracing.components import Axis, Component
 from tumble.calibrations.tracing.declared import Declared
@@ -76,12 +78,20 @@ class Table:
         """With fewer rows, three for each declared parameter and never less than six, nothing is traced."""
         return max(3 * self.model.parameters, 6)
 
-    @property
+    @cached_property
     def not_traced(self) -> str:
         """Why nothing is looked for; empty where it is."""
-        if self.rows >= self.fewest_rows:
-            return ""
-        return Message("{rows} rows are too few; at least {fewest} are needed", rows=self.rows, fewest=self.fewest_rows)
+        if self.rows < self.fewest_rows:
+            return Message(
+                "{rows} rows are too few; at least {fewest} are needed", rows=self.rows, fewest=self.fewest_rows
+            )
+        if as_written(self.declared, self.output):
+            return Message(
+                "the declared model gives every output to the last digit written ({digit}); "
+                "outputs with more digits would show more",
+                digit=format_number(last_digit(self.output), self.unit, 1),
+            )
+        return ""
 
     def counted_blocks(self, variable: Variable, count: int) -> Message:
         """So many blocks of a variable, by what these are called: `7 settings`."""

@@ -158,7 +158,7 @@ class Tracer(Generic[_T]):
         The search is made in white noise first. Where what it finds, or what it leaves, could as well be autocorrelated
         noise, it is made again in such noise, and the cheaper explanation is taken.
         """
-        if self.table.rows < self.table.fewest_rows:
+        if self.table.not_traced:
             return nothing_found(self.table)
         white = self._searched(self.noise)
         others = [self._adapted(self._settled(noise, white)) for noise in self._other_noises(white)]

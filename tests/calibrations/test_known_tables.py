@@ -232,3 +232,8 @@ def test_what_a_table_of_another_method_lacks_is_named(tmp_path, header, hint):
     (tmp_path / "unit.csv").write_text(f"{header}\n" + ",".join("1" for _ in header.split(",")) + "\n", "utf-8")
     with pytest.raises(TableError, match=hint):
         recognised(tmp_path / "unit.csv", methods())
+
+
+def test_a_name_in_the_missing_unit_is_asked_about_by_the_method_whose_other_column_is_there(tmp_path):
+    with pytest.raises(TableError, match=r"column voltage_V is missing; is output_v voltage_V[?]"):
+        kind_of(table(tmp_path, "angle_deg,output_v,time_s,realisation"))

@@ -1,7 +1,7 @@
 """The joint fit of a table: gross errors out, weights from the repeats, the noise that the uncertainties rest on."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ from tumble.calibrations.core.blas_threads import one_blas_thread
 from tumble.calibrations.core.compression import Compressed, Whiten, compress, unchanged
 from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.repeats import PureError, pure_error
+from tumble.calibrations.core.resolution import as_written
 from tumble.calibrations.core.rows import SetAside
 from tumble.calibrations.methods.dividing_head.effects.scene import Scene
 from tumble.calibrations.methods.dividing_head.fit import (
@@ -168,14 +169,20 @@ def _judge(
     residual = np.asarray(whiten(whiten(misfit * root)) / root)  # best linear unbiased prediction (Henderson 1975)
     error = pure_error(residual, groups, weights)
     lack = lack_of_fit(fit.squares_v2, len(observations), fit.fitted, error)
+    if _significant(lack) and as_written(functions, observations.output_v):
+        lack = replace(lack, p_value=None)  # repeats that are rounded alike show no scatter to test against
     return residual, error, lack, _noise(fit, len(observations), error, lack)
+
+
+def _significant(lack: LackOfFit) -> bool:
+    return lack.p_value is not None and lack.p_value < LACK_OF_FIT_P
 
 
 def _noise(fit: JointFit, rows: int, error: PureError, lack: LackOfFit) -> Noise:
     """The ruler: all scatter about the fit, or that of the poses where they do not agree with the model."""
     freedom = rows - fit.fitted
-    significant = lack.p_value is not None and lack.p_value < LACK_OF_FIT_P
-    if significant:
+    untested = lack.p_value is None and error.degrees_of_freedom and lack.degrees_of_freedom
+    if untested or _significant(lack):
         used, used_freedom, basis_text = (
             lack.variance,
             lack.degrees_of_freedom,
