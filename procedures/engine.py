@@ -6,7 +6,6 @@ it. It knows no procedure, no instrument and no recording; in whatever way a run
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import suppress
 from functools import partial
 
 from tumble.drivers.protocols import Identity, Stand
@@ -16,13 +15,13 @@ from tumble.procedures.announcer import Announcer, Listener, Sink
 from tumble.procedures.axes import Axes, Look, look_away
 from tumble.procedures.composition import advance
 from tumble.procedures.control import Control
+from tumble.procedures.ending import Ending
 from tumble.procedures.environments import Environments
-from tumble.procedures.errors import RetakeRequestedError, StorageError
+from tumble.procedures.errors import RetakeRequestedError
 from tumble.procedures.events import (
     RetakeBegun,
     RunResumed,
     State,
-    StateChanged,
     StepStarted,
     WarningRaised,
 )
@@ -32,7 +31,8 @@ from tumble.procedures.journeys import POLL_S
 from tumble.procedures.losses import Losses
 from tumble.procedures.measuring import Measuring
 from tumble.procedures.operator import Operator
-from tumble.procedures.outcome import Outcome, message_of, outcome_of
+from tumble.procedures.outcome import Outcome
+from tumble.procedures.phase import Phase
 from tumble.procedures.recovery import Recovery
 from tumble.procedures.replay import replay
 from tumble.procedures.requests import Requests
@@ -92,6 +92,7 @@ class Engine:
         self._clock = stand.clock
         self._attention = stand.attention
         self._announcer = Announcer(sink, listeners)
+        self._phase = Phase(self._announcer)
         self._acquisition = acquisition
         self.control = control or Control()
         """Pauses, resumes and stops the run; from any thread."""
@@ -115,10 +116,18 @@ class Engine:
             self._exciters,
             self._recovery,
             self._announcer.announce,
-            self._change,
+            self._phase.change,
             self._heed,
         )
-        self._moving = " or ".join(map(stand.title, (*stand.positioners, *stand.exciters)))
+        self._ending = Ending(
+            axes=self._axes,
+            exciters=self._exciters,
+            interlock=self._interlock,
+            recovery=self._recovery,
+            announcer=self._announcer,
+            phase=self._phase,
+            moving=" or ".join(map(stand.title, (*stand.positioners, *stand.exciters))),
+        )
         self._taking = Taking(
             self._measuring,
             eyepiece,
@@ -129,9 +138,11 @@ class Engine:
         )
         self._by_eye = eyepiece is not None
         self._under_way = False
-        self._left_unsafe: list[str] = []
-        self.state = State.IDLE
+
+    @property
+    def state(self) -> State:
         """Where the run stands; only the engine changes it."""
+        return self._phase.state
 
     def run(self, begin: Beginning) -> Outcome:
         """Carry out a procedure to its end, or until something else ends it, and bring everything to a standstill."""
@@ -195,11 +206,11 @@ class Engine:
             with self._attention.paid_to(self.control.check):  # and no longer: at the end nothing breaks a wait off
                 self._carry_out(begin, procedure, step, prepare)
         except (Exception, KeyboardInterrupt) as error:
-            return self._finish(error)
+            return self._ending.of(error, self._points)
         except BaseException as error:
-            self._finish(error)
+            self._ending.of(error, self._points)
             raise
-        return self._finish(None)
+        return self._ending.of(None, self._points)
 
     def _meet(self) -> None:
         """Get to know all instruments, and bring to rest what a run that was killed has left driving."""
@@ -218,7 +229,7 @@ class Engine:
     def _carry_out(
         self, begin: Beginning, procedure: Procedure, step: Step | None, prepare: Callable[[], None]
     ) -> None:
-        self._change(State.RUNNING)
+        self._phase.change(State.RUNNING)
         if step is None:
             return None
         self._recovery.persist(self._checkpoint)
@@ -256,7 +267,7 @@ class Engine:
         self._recovery.persist(self._axes.halt)
         replayed = replay(begin(), self._points, self._replay_tolerance_deg)
         self._announcer.announce(RetakeBegun(point=len(self._points) - 1))
-        self._change(State.RUNNING)
+        self._phase.change(State.RUNNING)
         for ask in replayed.asks:
             if not self._requests.stands(ask):
                 self._requests.fulfil(ask)
@@ -300,41 +311,10 @@ class Engine:
             return False
         self._axes.halt()
         self._exciters.clear()
-        self._change(State.PAUSED)
+        self._phase.change(State.PAUSED)
         while self.control.pause_wanted():
             self.control.check()
             self._clock.sleep(POLL_S)
-        self._change(State.RUNNING)
+        self._phase.change(State.RUNNING)
         self._heed()
         return True
-
-    def _finish(self, error: BaseException | None) -> Outcome:
-        """Bring all to a standstill, then tell everybody, the sink too, even where it was the sink that failed."""
-        self.state = State.STOPPING
-        with suppress(Exception):  # first of all; `standstill` sees whether it helped, and says it again
-            self._axes.brake()
-        self._change_anyway(State.STOPPING, message_of(error))
-        at_standstill = False
-        with suppress(KeyboardInterrupt):  # from whoever runs the engine without handling signals
-            driving = self._exciters.leave()
-            at_standstill = self._axes.standstill() and not driving
-            self._left_unsafe = [*driving, *self._interlock.leave(at_standstill)]
-        if at_standstill:
-            self._change_anyway(State.STANDSTILL, message_of(error))
-        for remark in (*self._left_unsafe, *self._recovery.last_remarks()):
-            self._announcer.announce_anyway(WarningRaised(message=remark))
-        outcome = outcome_of(error, self._points, at_standstill, self._moving)
-        try:
-            self._announcer.store(outcome.finished)
-        except StorageError as failure:
-            outcome = outcome_of(error or failure, self._points, at_standstill, self._moving)
-        self._announcer.tell(outcome.finished)
-        return outcome
-
-    def _change(self, state: State) -> None:
-        self.state = state
-        self._announcer.announce(StateChanged(state=state))
-
-    def _change_anyway(self, state: State, reason: str) -> None:
-        self.state = state
-        self._announcer.announce_anyway(StateChanged(state=state, reason=reason))
