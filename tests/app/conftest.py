@@ -4,11 +4,16 @@ import json
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 from app_jobs import STAND, TINY, Ran, blank_figures, cheaply, few_trials_of, tracing_once, tumble
+from cut_runs import TWICE
 
 from tumble.calibrations.methods.dividing_head import analysis
+from tumble.procedures.events import PointCompleted
+from tumble.procedures.recording.reader import read_recording
+from tumble.procedures.recording.writer import Recorder
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,3 +110,61 @@ def tiny_recording(tmp_path_factory):
 def no_report(monkeypatch):
     """Drawing takes two seconds; a test of something else does without."""
     monkeypatch.setattr("tumble.calibrations.report.page.html", lambda _: "<html></html>")
+
+
+@pytest.fixture
+def programme(write):
+    return write("twice.toml", TWICE)
+
+
+@pytest.fixture
+def copy_at(monkeypatch):
+    """Has what is on the disk copied when a point was completed: what a process that is killed then leaves."""
+
+    def arrange(index, target):
+        record = Recorder.record
+
+        def record_and_copy(recorder, event):
+            record(recorder, event)
+            if isinstance(event, PointCompleted) and event.point.index == index and not target.exists():
+                shutil.copyfile(recorder.path, target)
+
+        monkeypatch.setattr(Recorder, "record", record_and_copy)
+
+    return arrange
+
+
+@pytest.fixture(scope="session")
+def cut_everywhere(tmp_path_factory):
+    """The programme run once: the whole recording, and what was on the disk after each point; to be copied."""
+    folder = tmp_path_factory.mktemp("whole")
+    (folder / "twice.toml").write_text(TWICE, "utf-8")
+    record = Recorder.record
+
+    def record_and_copy(recorder, event):
+        record(recorder, event)
+        if isinstance(event, PointCompleted):
+            shutil.copyfile(recorder.path, folder / f"{event.point.index}.mcap")
+
+    with patch.object(Recorder, "record", record_and_copy):
+        ran = tumble("run", "--programme", folder / "twice.toml", "--serial", "A", "--out", folder / "whole.mcap")
+    assert ran.status == 0, ran.err
+    return folder
+
+
+@pytest.fixture
+def cut(programme, tmp_path, copy_at, cut_everywhere):
+    """Runs a programme; returns the whole recording, and one that was cut off after a number of points."""
+
+    def run(points, *options):
+        whole, broken = tmp_path / "whole.mcap", tmp_path / "run.mcap"
+        if options:
+            copy_at(points - 1, broken)
+            assert tumble("run", "--programme", programme, "--serial", "A", "--out", whole, *options).status == 0
+        else:
+            shutil.copyfile(cut_everywhere / "whole.mcap", whole)
+            shutil.copyfile(cut_everywhere / f"{points - 1}.mcap", broken)
+        assert len(read_recording(broken).points) == points
+        return whole, broken
+
+    return run
