@@ -259,3 +259,4 @@ def test_a_bias_that_follows_the_vibration_is_found_where_one_dwell_was_shaken_m
 
     assert names(loop) == ["vibration_rectification"]
     assert loop.augmented.observations.set_aside == ()
+    assert loop.declared.observations.set_aside == ()  # the error before and after is that of the same rows

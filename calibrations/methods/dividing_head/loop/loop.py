@@ -155,7 +155,7 @@ def explain_questioned(
         explained = _explained(fit_without(observations, rejected), effects, reference_temperature_degc)
     trace, close, best = explained.trace, explained.close, explained.best
     misread = misreadings(observations, best.joint)
-    before = assess(declared, uncertainty, trials=0)
+    before = assess(explained.table.joint, uncertainty, trials=0)  # of the same rows as what is stated
     stated = assess(best.joint, uncertainty, trials=0, further=best.shapes)
     stated = with_held_out(stated, before, explained.tracer, trace, explained.table)
     whole, others = explained.table.with_components(trace.components), explained.alike
