@@ -5,10 +5,10 @@ from typing import Protocol
 import numpy as np
 
 from tumble.drivers.clock import Clock
-from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import VOLTAGE, Identity, SampleBlock
 from tumble.drivers.simulated.effects import Effects
 from tumble.drivers.simulated.geometry import FloatArray
+from tumble.drivers.simulated.samples import check_samples
 from tumble.messages import Message
 
 OVERLOAD_V = 9.9e37
@@ -105,12 +105,7 @@ class SimulatedDaq:
 
         Raises `DeviceError` where there is nothing to take.
         """
-        if samples < 1 or not rate_hz > 0.0:
-            raise DeviceError(
-                Message("simulated DAQ"),
-                Message("{samples} samples at {rate_hz:g} Hz cannot be taken", samples=samples, rate_hz=rate_hz),
-                Message("ask for at least one sample at a positive rate"),
-            )
+        check_samples(Message("simulated DAQ"), samples, rate_hz)
         started_s = self._clock.monotonic_s()
         times_s = started_s + np.arange(samples) / rate_hz
         self._terminals.begin_acquisition()

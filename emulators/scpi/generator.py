@@ -4,12 +4,12 @@ Source: 33500B and 33600A Series Operating and Service Guide (33500-90901), "SCP
 """
 
 import time
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Generator, Mapping
 from functools import partial
 from typing import Final
 
 from tumble.emulators.faults import Faults, Kind
-from tumble.emulators.scpi.command import Command, Reply
+from tumble.emulators.scpi.command import Command
 from tumble.emulators.scpi.language import ScpiError, Tree, number, units
 from tumble.emulators.scpi.outputs import Output, commands_of
 from tumble.emulators.scpi.shaking import Gains, Shaking
@@ -57,7 +57,7 @@ class EmulatedGenerator:
         answers: list[str] = []
         try:
             for unit in units(message):
-                reply = self._attempt(partial(self._commands.find(unit.header).perform, unit.parameters))
+                reply = self.status.attempt(partial(self._commands.find(unit.header).perform, unit.parameters))
                 if isinstance(reply, str):
                     answers.append(reply)
         except ScpiError as error:
@@ -66,16 +66,6 @@ class EmulatedGenerator:
             self.status.report(ScpiError(-310))
         self._shaking.follow(stuck=self._lasts("stuck"))
         return ";".join(answers)
-
-    def _attempt(self, act: Callable[[], Reply]) -> Reply:
-        """Do something; report what cannot be done. Raises `ScpiError` for what cannot be understood."""
-        try:
-            return act()
-        except ScpiError as error:
-            if error.number > -200:
-                raise
-            self.status.report(error)
-            return None
 
     def _suffer(self) -> None:
         if self._faults.take("swapped"):

@@ -90,12 +90,12 @@ class Multimeter:
                 if answers and unit.header.endswith("?") and self._messages == "first":
                     raise ScpiError(-410)
                 last = last or command.last
-                reply = self._attempt(partial(command.perform, unit.parameters))
+                reply = self.status.attempt(partial(command.perform, unit.parameters))
                 while callable(reply):
                     if self._triggering.busy:
                         yield
                     else:
-                        reply = self._attempt(reply)
+                        reply = self.status.attempt(reply)
                 if reply is not None:
                     answers.append(reply)
         except ScpiError as error:
@@ -123,16 +123,6 @@ class Multimeter:
         """Whether the model knows a command."""
         name = header.removesuffix("?")
         return name not in self._model.lacks and (not self._model.only or name in self._model.only)
-
-    def _attempt(self, act: Callable[[], Reply]) -> Reply:
-        """Do something; report what cannot be done. Raises `ScpiError` for what cannot be understood."""
-        try:
-            return act()
-        except ScpiError as error:
-            if error.number > -200:
-                raise
-            self.status.report(error)
-            return None
 
     def _suffer(self) -> None:
         """Let happen to it what the faults say."""

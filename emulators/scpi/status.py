@@ -1,9 +1,12 @@
 """What has gone wrong, as an instrument remembers it: error queue and status registers."""
 
 from collections import deque
+from collections.abc import Callable
+from typing import TypeVar
 
 from tumble.emulators.scpi.language import ScpiError
 
+_T = TypeVar("_T")
 LONGEST_QUEUE = 20
 
 _OPERATION_COMPLETE = 1 << 0
@@ -29,6 +32,16 @@ class Status:
         """Begin anew."""
         self.clear()
         self._events, self.enabled = _POWER_ON, 0
+
+    def attempt(self, act: Callable[[], _T]) -> _T | None:
+        """Do something; report what cannot be done. Raises `ScpiError` for what cannot be understood."""
+        try:
+            return act()
+        except ScpiError as error:
+            if error.number > -200:
+                raise
+            self.report(error)
+            return None
 
     def report(self, error: ScpiError) -> None:
         """Put an error into the queue; once that is full, the last says so (SCPI-1999, volume 2, 21.8.1)."""

@@ -6,8 +6,8 @@ from typing import Final, Protocol
 import numpy as np
 
 from tumble.drivers.clock import Clock
-from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import ChannelBlock, FloatArray, Identity
+from tumble.drivers.simulated.samples import check_samples
 from tumble.messages import Message
 
 LEVELLING_RATE: Final = "levelling_rate_deg_h"
@@ -52,12 +52,7 @@ class PlatformOutputs:
 
     def take(self, samples: int, rate_hz: float) -> ChannelBlock:
         """Return at once what `acquire` returns when the samples are there. Raises `DeviceError`."""
-        if samples < 1 or not rate_hz > 0.0:
-            raise DeviceError(
-                Message("simulated gyro platform"),
-                Message("{samples} samples at {rate_hz:g} Hz cannot be taken", samples=samples, rate_hz=rate_hz),
-                Message("ask for at least one sample at a positive rate"),
-            )
+        check_samples(Message("simulated gyro platform"), samples, rate_hz)
         started_s = self._clock.monotonic_s()
         times_s = started_s + np.arange(samples) / rate_hz
         sampled = self._world.sample(times_s, rate_hz)

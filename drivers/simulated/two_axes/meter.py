@@ -6,10 +6,10 @@ from typing import Protocol
 import numpy as np
 
 from tumble.drivers.clock import Clock
-from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import ChannelBlock, Identity
 from tumble.drivers.simulated.daq import Converter
 from tumble.drivers.simulated.geometry import FloatArray
+from tumble.drivers.simulated.samples import check_samples
 from tumble.messages import Message
 
 PAUSE_S = 600.0
@@ -76,12 +76,7 @@ class OutputsMeter:
 
     def take(self, samples: int, rate_hz: float) -> ChannelBlock:
         """Return at once what `acquire` returns when the samples are there. Raises `DeviceError`."""
-        if samples < 1 or not rate_hz > 0.0:
-            raise DeviceError(
-                Message("simulated DAQ"),
-                Message("{samples} samples at {rate_hz:g} Hz cannot be taken", samples=samples, rate_hz=rate_hz),
-                Message("ask for at least one sample at a positive rate"),
-            )
+        check_samples(Message("simulated DAQ"), samples, rate_hz)
         started_s = self._clock.monotonic_s()
         times_s = started_s + np.arange(samples) / rate_hz
         self._begin(started_s)

@@ -6,11 +6,11 @@ from typing import Protocol
 import numpy as np
 
 from tumble.drivers.clock import Clock
-from tumble.drivers.errors import DeviceError
 from tumble.drivers.protocols import ChannelBlock, Identity
 from tumble.drivers.simulated.daq import Converter
 from tumble.drivers.simulated.effects import Effects
 from tumble.drivers.simulated.geometry import FloatArray
+from tumble.drivers.simulated.samples import check_samples
 from tumble.drivers.simulated.vibration.settings import SimulatedVibration
 from tumble.messages import Message
 
@@ -58,12 +58,7 @@ class VibrationMeter:
 
     def take(self, samples: int, rate_hz: float) -> ChannelBlock:
         """Return at once what `acquire` returns when the samples are there. Raises `DeviceError`."""
-        if samples < 1 or not rate_hz > 0.0:
-            raise DeviceError(
-                Message("simulated DAQ"),
-                Message("{samples} samples at {rate_hz:g} Hz cannot be taken", samples=samples, rate_hz=rate_hz),
-                Message("ask for at least one sample at a positive rate"),
-            )
+        check_samples(Message("simulated DAQ"), samples, rate_hz)
         started_s = self._terminals.clock.monotonic_s()
         self._terminals.begin_acquisition()
         sampled_v = self._terminals.sampled_v(started_s + np.arange(samples) / rate_hz)
