@@ -4,6 +4,7 @@ import numpy as np
 from tables import FLIPS, sweep, table
 
 from tumble.calibrations.methods.dividing_head.gross import gross_errors
+from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.model import basis
 from tumble.calibrations.methods.dividing_head.poses import pose_groups
 
@@ -76,3 +77,19 @@ def test_rows_of_a_kind_of_dwell_that_scatters_more_are_no_gross_errors():
     rows = replace(quiet, voltage_v=quiet.voltage_v + np.where(few, 2.5e-4 * noise, 0.0), samples=np.where(few, 4, 400))
 
     assert found(rows) == ()
+
+
+def test_a_realisation_that_was_disturbed_as_a_whole_is_named():
+    rows = table(*FLIPS, sweep("face-up"), seed=8)
+    third = rows.realisation == 3
+    rows.voltage_v[third] += np.random.default_rng(9).normal(0.0, 20e-4, third.sum())
+
+    (warning,) = fit_jointly(rows).observations.warnings
+    assert "rows of realisation 3 are gross errors: it was disturbed as a whole; measure it again" in warning
+
+
+def test_a_few_gross_errors_disturb_no_realisation():
+    rows = table(*FLIPS, sweep("face-up"), seed=8)
+    rows.voltage_v[100:104] += 20e-4
+
+    assert fit_jointly(rows).observations.warnings == ()

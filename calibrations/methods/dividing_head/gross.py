@@ -1,5 +1,7 @@
 """Finds gross errors: single rows that agree neither with the model nor with their own repeats."""
 
+from collections.abc import Collection, Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,6 +18,10 @@ from tumble.messages import Message
 
 _HUBER = 1.345
 """Tuning of Huber's weights: 95% efficient on normal noise (Huber and Ronchetti, Robust Statistics, 4.5)."""
+
+_GOOD_PART = 0.2
+"""Beyond that part of a realisation, and beyond `_A_FEW` rows, they are no single errors."""
+_A_FEW = 4
 
 
 def gross_errors(
@@ -59,6 +65,25 @@ def unlike_repeats(
         )
         for row in np.flatnonzero(burst(gross, doubtful, observations.time_s) & ~seat_off).tolist()
     )
+
+
+def disturbed_realisations(observations: Observations, rejected: Collection[SetAside]) -> Iterator[Message]:
+    """A sentence on every one of several realisations of which a good part is among the rows to be set aside."""
+    if observations.realisation is None or len(np.unique(observations.realisation)) < 2:
+        return
+    out = np.isin(observations.row, [entry.row for entry in rejected])
+    for number in np.unique(observations.realisation[out]).tolist():
+        of_it = observations.realisation == number
+        aside, rows = int(np.count_nonzero(out & of_it)), int(np.count_nonzero(of_it))
+        if aside > max(_A_FEW, _GOOD_PART * rows):
+            yield Message(
+                "{source}: {aside} of the {rows} rows of realisation {number} are gross errors: it was disturbed as a "
+                "whole; measure it again",
+                source=observations.source,
+                aside=aside,
+                rows=rows,
+                number=number,
+            )
 
 
 def _reason(alone: bool, sigmas: float) -> Message:

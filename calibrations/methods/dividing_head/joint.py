@@ -22,7 +22,7 @@ from tumble.calibrations.methods.dividing_head.fit import (
     fit_given_alpha0,
     joint_fit,
 )
-from tumble.calibrations.methods.dividing_head.gross import gross_errors
+from tumble.calibrations.methods.dividing_head.gross import disturbed_realisations, gross_errors
 from tumble.calibrations.methods.dividing_head.model import (
     ALPHA0,
     PARAMETERS,
@@ -101,7 +101,8 @@ def fit_jointly(observations: Observations) -> Joint:
 def fit_without(observations: Observations, rejected: tuple[SetAside, ...]) -> Joint:
     """Fit the declared model to all rows but those that are to be set aside."""
     if rejected:
-        observations = observations.without(rejected)
+        disturbed = disturbed_realisations(observations, rejected)
+        observations = replace(observations.without(rejected), warnings=(*observations.warnings, *disturbed))
     groups = pose_groups(observations)
     functions = basis(observations)
     even = np.ones(len(observations))
