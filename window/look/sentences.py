@@ -89,10 +89,11 @@ def state_name(state: State) -> str:
 
 
 def plan_text(plan: Plan) -> str:
-    """What a programme takes: points, mountings, time."""
+    """What a programme takes: points, mountings where there are any, time."""
+    mountings = Message.counted("{count} mounting", "{count} mountings", count=plan.requests)
     parts = (
         Message.counted("{count} point", "{count} points", count=plan.dwells),
-        Message.counted("{count} mounting", "{count} mountings", count=plan.requests),
+        *((mountings,) if plan.requests else ()),
         Message("about {time}", time=minutes(plan.duration_s)),
     )
     return in_language(Message.joined(", ", parts))
