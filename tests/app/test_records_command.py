@@ -103,12 +103,12 @@ def test_a_comparison_says_what_changed_significantly(copied, write, tmp_path):
     assert ": not significant (p = " in sentences["u0"]
 
 
-def test_a_comparison_knows_two_analyses_of_one_raw_file(copied):
+def test_a_comparison_knows_two_analyses_of_the_same_raw_data(copied):
     second = refitted(copied)
 
     text = tumble("records", "compare", copied.document["record"], second, "--store", copied.store).out
 
-    assert "kx did not change: both records come from one raw file." in text
+    assert "kx did not change: both records come from the same raw data." in text
 
 
 def test_an_untouched_record_is_verified(calibrated, monkeypatch):
