@@ -22,7 +22,9 @@ LINE = 1.8357
 
 def lines(text):
     """Of how many lines a text is that has no room at all."""
-    asked = f"#context [#metadata(measure(block(width: 1pt, [{text}])).height / measure(block(width: 1pt)[x]).height)<high>]"
+    asked = (
+        f"#let high(body) = measure(block(width: 1pt, body)).height\n#context [#metadata(high[{text}] / high[x])<high>]"
+    )
     source = paper._TEMPLATE.read_text("utf-8") + asked
     found = typst.query(source.encode(), "<high>", ignore_system_fonts=True, sys_inputs={"report": json.dumps(EMPTY)})
     (high,) = [each["value"] for each in (json.loads(found) if isinstance(found, str) else found)]

@@ -36,3 +36,8 @@ def test_redrawing_keeps_no_further_symbol(qtbot, qapp):
         plot.draw_series({"u": (np.arange(points), np.arange(points))})
         plot.grab()
     assert len(plot.listDataItems()[0].scatter.fragmentAtlas) == 1
+
+
+def test_a_low_plot_has_two_numbers_on_its_ordinate(qapp):
+    (_, written), *_ = LocalAxis("left").tickValues(-290.0, 290.0, 36.0)
+    assert written == [-200.0, 200.0]

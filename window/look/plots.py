@@ -50,14 +50,19 @@ class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
         return [localised(text, language) for text in super().tickStrings(values, scale, spacing)]
 
     def tickSpacing(self, minVal: float, maxVal: float, size: float) -> list[tuple[float, float]]:  # noqa: N802, N803
-        """Steps between ticks and where they begin, the widest first, which has room for a line of text."""
+        """Steps between ticks and where they begin, the widest first, which has room for a line of text.
+
+        Where only one number would be left of these, two are written that are no multiples of the step.
+        """
         steps: list[tuple[float, float]] = super().tickSpacing(minVal, maxVal, size)
         line = QFontMetricsF(self.style["tickFont"] or self.font()).height()
         least = line * (maxVal - minVal) / max(size, 1.0)
         widest = steps[0][0]
         if self.orientation == "bottom" or widest >= least:
             return steps
-        return [(widest * math.ceil(least / widest), 0.0), *steps]
+        step = widest * math.ceil(least / widest)
+        written = math.floor(maxVal / step) - math.ceil(minVal / step) + 1
+        return [(step, 0.0 if written > 1 else widest * math.ceil(minVal / widest)), *steps]
 
 
 class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed

@@ -12,6 +12,7 @@ from tumble.window.look.names import effect_name
 from tumble.window.look.numbers import local, minutes
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
+from tumble.window.widgets.folding_row import buttons_at_left
 from tumble.window.widgets.motion_button import MotionButton
 from tumble.window.widgets.table import Table
 from tumble.window.work.presentation import LoopSummary
@@ -65,7 +66,7 @@ class LoopView(QScrollArea):
             layout.addWidget(title)
             layout.addWidget(part)
             if part is self.experiments:
-                layout.addWidget(self.run_button)
+                layout.addWidget(buttons_at_left((self.run_button,)))
         layout.addWidget(self.not_identifiable)
         layout.addStretch(1)
         self.setWidget(page)
@@ -129,6 +130,10 @@ class LoopView(QScrollArea):
         return self._experiments[row].programme if 0 <= row < len(self._experiments) else ""
 
     def _refresh(self) -> None:
+        row = self.experiments.currentRow()
+        if chosen := self._chosen():
+            time = minutes(self._experiments[row].stand_time_s)
+            self.run_button.entitle(tr("Run {programme}, about {time}", programme=chosen, time=time))
         self.run_button.setEnabled(self._allowed and bool(self._chosen()))
 
     def _run(self) -> None:

@@ -153,7 +153,7 @@ class ResultScreen(QWidget):
         for title, part in (
             (tr("Parameters"), self.table),
             (tr("Correlations"), self.correlation),
-            (tr("Closed loop"), self.loop),
+            (tr("Effects"), self.loop),
         ):
             self.tabs.addTab(part, title)
         self._take_tabs_of(FIRST)
