@@ -61,8 +61,18 @@ class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
         if self.orientation == "bottom" or widest >= least:
             return steps
         step = widest * math.ceil(least / widest)
-        written = math.floor(maxVal / step) - math.ceil(minVal / step) + 1
-        return [(step, 0.0 if written > 1 else widest * math.ceil(minVal / widest)), *steps]
+        if math.floor(maxVal / step) > math.ceil(minVal / step):
+            return [(step, 0.0), *steps]
+        return [_outermost(minVal, maxVal, least, widest) or (step, 0.0), *steps]
+
+
+def _outermost(low: float, high: float, least: float, step: float) -> tuple[float, float] | None:
+    """Distance and place of two round numbers near the ends of an axis, by steps as coarse as leave them apart."""
+    for each in (step, step / 2.0, step / 5.0, step / 10.0):
+        first, last = each * math.ceil(low / each), each * math.floor(high / each)
+        if last - first >= least:
+            return last - first, first
+    return None
 
 
 class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed

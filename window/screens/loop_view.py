@@ -1,4 +1,4 @@
-"""The closed loop: what was found, the next experiment, before and after, and what is not identifiable."""
+"""The closed loop: what was found, the next experiment, before and after in numbers and pictures, what is left open."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -7,6 +7,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QLabel, QListWidget, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
 from tumble.calibrations.core.sentences import series
+from tumble.window.generic.figure_list import FigureColumn
 from tumble.window.look.language import tr
 from tumble.window.look.names import effect_name
 from tumble.window.look.numbers import local, minutes
@@ -42,7 +43,7 @@ class LoopView(QScrollArea):
             )
         )
         self.comparisons = Table(("", tr("declared model"), tr("with what was found"), tr("change")))
-        self.not_identifiable = _wrapped()
+        self.figures, self.not_identifiable = FigureColumn(), _wrapped()
         self.experiments = QListWidget()
         self.experiments.setWordWrap(True)
         self.experiments.setSizeAdjustPolicy(QListWidget.SizeAdjustPolicy.AdjustToContents)
@@ -67,6 +68,7 @@ class LoopView(QScrollArea):
             layout.addWidget(part)
             if part is self.experiments:
                 layout.addWidget(buttons_at_left((self.run_button,)))
+        layout.addWidget(self.figures)
         layout.addWidget(self.not_identifiable)
         layout.addStretch(1)
         self.setWidget(page)
@@ -90,6 +92,8 @@ class LoopView(QScrollArea):
             ]
         )
         self.comparisons.fill([tuple(map(in_language, line)) for line in loop.comparisons])
+        self.figures.show_figures(loop.figures)
+        self.figures.setVisible(bool(loop.figures))
         self.findings.show_whole()
         self.comparisons.show_whole()
         reasons = [

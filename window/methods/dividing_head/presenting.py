@@ -9,6 +9,7 @@ import numpy as np
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.quantities import format_correlation
 from tumble.calibrations.core.view import Section
+from tumble.window.generic.drawn import drawn_of
 from tumble.window.work.activity import Concluded
 from tumble.window.work.presentation import Correlations, LoopSummary, ParameterLine, Presentation
 
@@ -110,6 +111,7 @@ def _line(row: "ResultRow") -> ParameterLine:
 
 def _summary(loop: "Loop") -> LoopSummary:
     from tumble.calibrations.methods.dividing_head.loop import sentences
+    from tumble.calibrations.methods.dividing_head.report.loop import before_and_after
 
     return LoopSummary(
         headline=sentences.headline(loop),
@@ -118,6 +120,7 @@ def _summary(loop: "Loop") -> LoopSummary:
         not_identifiable=sentences.not_identifiable(loop),
         dependence=sentences.dependence(loop),
         experiments=loop.next_experiment,
+        figures=drawn_of(before_and_after(loop)) if loop.effects or loop.unexplained else (),
     )
 
 
