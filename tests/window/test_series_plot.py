@@ -39,9 +39,10 @@ def test_redrawing_keeps_no_further_symbol(qtbot, qapp):
 
 
 @pytest.mark.parametrize(
-    ("low", "high", "height_px", "numbers"),
-    [(-290.0, 290.0, 36.0, [-200.0, 200.0]), (-180.0, 180.0, 30.0, [-150.0, 150.0]), (1.4, 3.6, 32.0, [1.5, 3.5])],
+    ("low", "high", "lines", "numbers"),
+    [(-290.0, 290.0, 2.1, [-200.0, 200.0]), (-180.0, 180.0, 1.75, [-150.0, 150.0]), (1.4, 3.6, 1.4, [1.5, 3.5])],
 )
-def test_a_low_plot_has_two_numbers_on_its_ordinate(qapp, low, high, height_px, numbers):
-    (_, written), *_ = LocalAxis("left").tickValues(low, high, height_px)
+def test_a_low_plot_has_two_numbers_on_its_ordinate(qapp, low, high, lines, numbers):
+    axis = LocalAxis("left")
+    (_, written), *_ = axis.tickValues(low, high, lines * QFontMetricsF(axis.font()).height())
     assert written == pytest.approx(numbers)
