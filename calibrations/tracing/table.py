@@ -81,7 +81,12 @@ class Table:
         """Why nothing is looked for; empty where it is."""
         if self.rows >= self.fewest_rows:
             return ""
-        return Message("{rows} rows are too few; at least {fewest} are needed", rows=self.rows, fewest=self.fewest_rows)
+        return Message.counted(
+            "{count} row is too few; at least {fewest} are needed",
+            "{count} rows are too few; at least {fewest} are needed",
+            count=self.rows,
+            fewest=self.fewest_rows,
+        )
 
     def counted_blocks(self, variable: Variable, count: int) -> Message:
         """So many blocks of a variable, by what these are called: `7 settings`."""

@@ -65,10 +65,11 @@ def too_few(rows: int, fewest: int, counted: str, visits: int = 0) -> str:
         return ""
     if not visits:
         return Message("{counted} are too few; at least {fewest} are needed", counted=counted, fewest=fewest)
-    return Message(
-        "{counted} (visited {visits} times) are too few; at least {fewest} are needed",
+    return Message.counted(
+        "{counted} (visited {count} time) are too few; at least {fewest} are needed",
+        "{counted} (visited {count} times) are too few; at least {fewest} are needed",
         counted=counted,
-        visits=visits,
+        count=visits,
         fewest=fewest,
     )
 

@@ -143,8 +143,11 @@ class FreeRunningDaq:
         wrong = int(np.count_nonzero(steps != 1))
         if not wrong:
             return ""
-        return Message(
-            "{wrong} of {frames} voltage frames did not follow the one before", wrong=wrong, frames=len(counters)
+        return Message.counted(
+            "{wrong} of {count} voltage frame did not follow the one before",
+            "{wrong} of {count} voltage frames did not follow the one before",
+            wrong=wrong,
+            count=len(counters),
         )
 
     def _check_rate(self, moments_s: list[float], rate_hz: float) -> None:

@@ -60,9 +60,9 @@ def test_an_empty_text_stays_empty(language):
     assert Message("").in_language(language) == ""
 
 
-@pytest.mark.parametrize(("count", "text"), [(0, "0 rows"), (1, "1 row"), (2, "2 rows")])
+@pytest.mark.parametrize(("count", "text"), [(0, "0 gnomes"), (1, "1 gnome"), (2, "2 gnomes")])
 def test_number_chooses_the_wording(count, text):
-    message = Message.counted("{count} row", "{count} rows", count=count)
+    message = Message.counted("{count} gnome", "{count} gnomes", count=count)
     assert message == text
     assert message.in_language(Language.GERMAN) == text
 

@@ -40,7 +40,7 @@ def test_redrawing_keeps_no_further_symbol(qtbot, qapp):
 
 @pytest.mark.parametrize(
     ("low", "high", "lines", "numbers"),
-    [(-290.0, 290.0, 2.1, [-200.0, 200.0]), (-180.0, 180.0, 1.75, [-150.0, 150.0]), (1.4, 3.6, 1.4, [1.5, 3.5])],
+    [(-290.0, 290.0, 2.5, [-160.0, 160.0]), (-180.0, 180.0, 2.4, [-100.0, 100.0])],
 )
 def test_a_low_plot_has_two_numbers_on_its_ordinate(qapp, low, high, lines, numbers):
     axis = LocalAxis("left")

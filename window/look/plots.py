@@ -67,9 +67,10 @@ class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
 
 
 def _outermost(low: float, high: float, least: float, step: float) -> tuple[float, float] | None:
-    """Distance and place of two round numbers near the ends of an axis, by steps as coarse as leave them apart."""
+    """Distance and place of two round numbers near the ends of an axis, half a line away, where these lie apart."""
     for each in (step, step / 2.0, step / 5.0, step / 10.0):
-        first, last = each * math.ceil(low / each), each * math.floor(high / each)
+        first = each * math.ceil((low + least / 2.0) / each)
+        last = each * math.floor((high - least / 2.0) / each)
         if last - first >= least:
             return last - first, first
     return None

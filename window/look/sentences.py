@@ -42,7 +42,13 @@ def sentence_of(event: Event, words: ConditionWords) -> str:
             answer = event.answer or tr("as set")
             said = tr("Set to {setting}; read: {answer}.", setting=format_dms(event.setting_deg), answer=answer)
         case RunResumed():
-            said = tr("The run goes on; {points} points are there already.", points=event.points)
+            said = in_language(
+                Message.counted(
+                    "The run goes on; {count} point is there already.",
+                    "The run goes on; {count} points are there already.",
+                    count=event.points,
+                )
+            )
         case RetakeBegun() | PointVerified():
             said = _taken_again(event)
         case StateChanged(state=State.PAUSED | State.STANDSTILL):
