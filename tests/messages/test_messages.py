@@ -98,6 +98,7 @@ def test_a_name_of_a_document_stays_itself_in_english_and_is_worded_in_another_l
     assert said == said.in_language(Language.ENGLISH) == "none of scale_drift"
     assert scale_drift.in_language(Language.GERMAN) == "Drift des Skalenfaktors"
     assert scale_drift.worded(Language.ENGLISH) == "scale factor drift"
+    assert said.worded(Language.ENGLISH) == "none of scale factor drift"
 
 
 def test_a_name_that_lost_its_wording_finds_it_again(scale_drift):

@@ -117,5 +117,8 @@ def stopped_text(points: int) -> str:
 
 
 def in_language(text: str) -> str:
-    """A message, or a text that is a key of the catalogue, in the language of the window; any other as it is."""
-    return local(translate(text, spoken()))
+    """A message, or a text that is a key of the catalogue, in the language of the window; any other as it is.
+
+    What documents call by a name is called in words.
+    """
+    return local(text.worded(spoken()) if isinstance(text, Message) else translate(text, spoken()))
