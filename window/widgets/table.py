@@ -123,8 +123,9 @@ class Table(QTableWidget):
         if header.stretchLastSection() and not has_room:
             header.setStretchLastSection(False)
             header.resizeSections(QHeaderView.ResizeMode.ResizeToContents)
-        elif has_room:
+        elif has_room and not header.stretchLastSection():
             header.setStretchLastSection(True)
+            header.resizeSection(last, room)  # it would stay as wide as its texts
 
     def _copy(self) -> None:
         """Put the rows that are chosen where a spreadsheet takes them from; with none of them leave what is there."""
