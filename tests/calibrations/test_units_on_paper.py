@@ -31,7 +31,9 @@ def lines(text):
     return 1 + round((high - 1) / LINE)
 
 
-@pytest.mark.parametrize("text", ["12 V", "1,2 мкВ/g²", "0.5 °/h", "20 s.", "5 ppm/K", "3 mV/g,"])
+@pytest.mark.parametrize(
+    "text", ["12 V", "1,2 мкВ/g²", "0.5 °/h", "20 s.", "5 ppm/K", "3 mV/g,", "10.11(38) µV/(m/s²)²"]
+)
 def test_number_and_unit_stay_on_one_line(text):
     assert lines(text) == 1
 
