@@ -218,7 +218,7 @@ def test_a_reference_gives_a_stand_record_that_is_in_force_at_once_and_comes_bac
     assert "270°    -7" in shown.out  # seconds of arc: 0.02° is 72″
     verified = tumble("stand", "verify", "--store", store)
     assert verified.status == 0, verified.out
-    assert "1 of 1 stand records come back" in verified.out
+    assert "1 of 1 stand record comes back" in verified.out
 
 
 def test_a_reference_that_shows_nothing_gives_no_record(tmp_path):
