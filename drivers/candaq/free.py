@@ -118,7 +118,13 @@ class FreeRunningDaq:
         moments_s: list[float] = []
         while len(voltages_v) < samples:
             frame = self._next(
-                deadline_s, Message("sent {given} of {samples} voltages", given=len(voltages_v), samples=samples)
+                deadline_s,
+                Message.counted(
+                    "sent {given} of {count} voltage",
+                    "sent {given} of {count} voltages",
+                    given=len(voltages_v),
+                    count=samples,
+                ),
             )
             if frame.name == "Voltage":
                 voltages_v.append(frame.number("Voltage"))

@@ -160,12 +160,13 @@ def test_german_has_one_word_for_stand_file_stand_record_and_store(word):
 NEVER_ONE = {
     "{length} characters": "said of what is too long",
     "{samples} samples at": "said of what is too many",
+    "of {angles} angles those": "said of more than are listed",
     "comes back {count} times": "asked only where a pose comes back",
     "{turns} turns for one": "asked only where they are more",
 }
 """Parts of keys that have a number before a plural, and why that number is never one."""
-BOUNDS = ("most", "fewest")
-"""Fields with bounds of the program, none of which is one."""
+BOUNDS = ("most", "fewest", "tries", "attempts")
+"""Fields with numbers that the program sets, none of which is one."""
 
 
 def words(text):
