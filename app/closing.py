@@ -208,9 +208,10 @@ def _verdict(closing: Closing, most: int) -> tuple[Ended | None, str]:
     if why := _in_vain(chain):
         return Ended.NOT_AS_PROMISED, why
     if len(chain.links) >= most:
-        return Ended.ENOUGH, Message(
-            "{most} experiments were to be run at most; the next would be {programme}.",
-            most=most,
+        return Ended.ENOUGH, Message.counted(
+            "{count} experiment was to be run at most; the next would be {programme}.",
+            "{count} experiments were to be run at most; the next would be {programme}.",
+            count=most,
             programme=closing.next.programme,
         )
     return None, ""
@@ -228,13 +229,15 @@ def _nothing_disputed(closing: Closing, most: int) -> tuple[Ended | None, str]:
 def _in_vain(chain: Chain[ClosedLoop]) -> str:
     """Why no further experiment is worth its time, where those that were run told nothing; else empty."""
     if chain.futile >= FUTILE:
-        return Message(
+        return Message.counted(
+            "{count} experiment told nothing apart, though it was to: nothing here tells {left}.",
             "{count} experiments in a row told nothing apart, though each was to: nothing here tells {left}.",
             count=chain.futile,
             left=_left(chain),
         )
     if chain.unkept:
-        return Message(
+        return Message.counted(
+            "{count} experiment told nothing apart, though with those before it was to: nothing here tells {left}.",
             "{count} experiments in a row told nothing apart, though together they were to: nothing here tells {left}.",
             count=len(chain.in_vain),
             left=_left(chain),

@@ -82,9 +82,16 @@ class LoopAnalysed(ABC):
         """Dwells and residual, in a line."""
         residual, rows = self.declared.model.residual_rms, len(self.declared.observations)
         if residual is None:
-            return (Message("{rows} dwells", rows=rows),)
+            return (Message.counted("{count} dwell", "{count} dwells", count=rows),)
         shown = format_number(residual, self.output_unit)
-        return (Message("{rows} dwells, residual {residual} r.m.s.", rows=rows, residual=shown),)
+        return (
+            Message.counted(
+                "{count} dwell, residual {residual} r.m.s.",
+                "{count} dwells, residual {residual} r.m.s.",
+                count=rows,
+                residual=shown,
+            ),
+        )
 
     def details(self) -> Sequence[str]:
         """The same with the parameters that the dwells do not tell."""

@@ -113,10 +113,11 @@ def connect(
     """
     if loaded.file.simulates:
         return _simulated(loaded, attendant or _attendant(answers, attended, typed), past)
-    backstage, links = _backstage(loaded), Links()
+    backstage, attention = _backstage(loaded), Attention()
+    links = Links(attention.check)
     clock = clock or (backstage.clock if backstage else SystemClock())
     attendant = attendant or _attendant(answers, attended or backstage is None, typed)
-    operator, attention = cache(attendant.operator), Attention()
+    operator = cache(attendant.operator)
     person = _Person(operator, clock, backstage.hand if backstage else None)
     bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD), check=attention.check)
     try:

@@ -133,9 +133,10 @@ class OperatorEyepiece:
             self._refused += 1
             if self._refused >= _MOST_REFUSED:
                 raise self._unanswered(
-                    Message(
-                        "was answered {times} times in a row with no angle: {error}",
-                        times=self._refused,
+                    Message.counted(
+                        "was answered {count} time in a row with no angle: {error}",
+                        "was answered {count} times in a row with no angle: {error}",
+                        count=self._refused,
                         error=error,
                     )
                 ) from error

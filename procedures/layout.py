@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final, TypeAlias
 
-from tumble.messages import Message
+from tumble.messages import Message, with_wording
 from tumble.procedures.steps import Ask, Dwell, Point, Reading
 
 Fields: TypeAlias = dict[str, Any]
@@ -95,7 +95,7 @@ class Layout:
         return Ask(
             condition=condition,
             value=value,
-            task=Message.marked(words.task, value=value),
+            task=Message.marked(words.task, value=with_wording(value)),
             remedy=Message.marked(words.remedy, value=value),
             prompt=Message.marked(words.prompt, value=value),
             hint=Message.marked(words.hint, value=value),

@@ -141,9 +141,10 @@ class Recovery:
                 interruption = error
         assert interruption is not None
         raise interruption.saying(
-            Message(
-                "was lost {times} times in one step, the last time so: {happened}",
-                times=_LOSSES,
+            Message.counted(
+                "was lost {count} time in one step, the last time so: {happened}",
+                "was lost {count} times in one step, the last time so: {happened}",
+                count=_LOSSES,
                 happened=interruption.happened,
             ),
             interruption.remedy,

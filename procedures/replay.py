@@ -67,12 +67,14 @@ def _near(point: Point, dwell: Dwell, tolerance_deg: float) -> bool:
 
 def _mismatch(number: int, point: Point, programme_says: str) -> JournalError:
     return JournalError(
-        Message(
-            "the recorded run does not belong to this programme: where it has {pose}, "
-            "{programme_says} after {number} points; resume it with the programme that it was begun with",
+        Message.counted(
+            "the recorded run does not belong to this programme: where it has {pose}, {programme_says} after "
+            "{count} point; resume it with the programme that it was begun with",
+            "the recorded run does not belong to this programme: where it has {pose}, {programme_says} after "
+            "{count} points; resume it with the programme that it was begun with",
             pose=_pose(point.index, point),
             programme_says=programme_says,
-            number=number,
+            count=number,
         )
     )
 

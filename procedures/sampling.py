@@ -37,7 +37,9 @@ def acquire(sampler: Sampler, samples: int, rate_hz: float, title: str) -> Block
     block = sampler.acquire(samples, rate_hz)
     for values in block.channels.values():
         if len(values) != samples:
-            happened = Message("gave {given} of {samples} samples", given=len(values), samples=samples)
+            happened = Message.counted(
+                "gave {given} of {count} sample", "gave {given} of {count} samples", given=len(values), count=samples
+            )
             raise DeviceError(title, happened, Message("check its trigger and its connection, then resume the run"))
     return block
 
@@ -45,8 +47,11 @@ def acquire(sampler: Sampler, samples: int, rate_hz: float, title: str) -> Block
 def renamed(block: Block, names: Sequence[str], title: str) -> Block:
     """The block with other names for its channels, in their order. Raises `DeviceError` where it has more or fewer."""
     if len(names) != len(block.channels):
-        happened = Message(
-            "gives {given} channels, and the stand file names {named}", given=len(block.channels), named=len(names)
+        happened = Message.counted(
+            "gives {count} channel, and the stand file names {named}",
+            "gives {count} channels, and the stand file names {named}",
+            count=len(block.channels),
+            named=len(names),
         )
         raise DeviceError(title, happened, Message("correct channels of the stand file"))
     by_new_name = dict(zip(names, block.channels, strict=True))

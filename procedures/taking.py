@@ -77,10 +77,11 @@ class Taking:
 
     def _warn_of(self, taken: Taken, point: Point) -> None:
         if taken.unusable:
-            bad = Message(
-                "{unusable} of {samples} samples are overloads or no numbers; the point will be set aside",
+            bad = Message.counted(
+                "{unusable} of {count} sample is an overload or no number; the point will be set aside",
+                "{unusable} of {count} samples are overloads or no numbers; the point will be set aside",
                 unusable=taken.unusable,
-                samples=taken.samples,
+                count=taken.samples,
             )
             self._warn(point, bad)
         if not taken.settled:

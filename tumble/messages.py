@@ -97,14 +97,14 @@ class Message(str):
         return self[:] if language is Language.ENGLISH else self.worded(language)
 
     def worded(self, language: Language) -> str:
-        """The same, but in English too a name of a document in its wording."""
+        """The same, but in English too names of a document in their wordings, those in fields included."""
         if self.plural:
             count = self.fields["count"]
             assert isinstance(count, int), "`counted` takes a whole number"
             template = _catalogue(language).ngettext(self.template, self.plural, count)
         else:
             template = _looked_up(self.template, language)
-        return template.format(**{name: _field(value, language) for name, value in self.fields.items()})
+        return template.format(**{name: _worded(value, language) for name, value in self.fields.items()})
 
     def __reduce__(self) -> tuple[object, ...]:
         return _restored, (type(self), self[:], self.template, self.plural, dict(self.fields))
@@ -119,9 +119,9 @@ class AsWritten(str):
 class _Capitalised(Message):
     """A message that begins with a capital."""
 
-    def in_language(self, language: Language) -> str:
+    def worded(self, language: Language) -> str:
         """The text in a language, with a capital at its beginning."""
-        return _with_capital(super().in_language(language))
+        return _with_capital(super().worded(language))
 
 
 def translate(text: str, language: Language) -> str:
@@ -147,8 +147,8 @@ def translatable(template: str) -> str:
     return template
 
 
-def _field(value: object, language: Language) -> object:
-    return value.in_language(language) if isinstance(value, Message) else value
+def _worded(value: object, language: Language) -> object:
+    return value.worded(language) if isinstance(value, Message) else value
 
 
 def _with_capital(text: str) -> str:

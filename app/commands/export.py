@@ -52,7 +52,9 @@ def _write_rows(recording: Path, table: Path) -> None:
         write_table(measurement.observations, begun)
     warn(measurement.observations.warnings)
     say(
-        Message("{rows} rows in {table}", rows=len(measurement.observations), table=table),
+        Message.counted(
+            "{count} row in {table}", "{count} rows in {table}", count=len(measurement.observations), table=table
+        ),
         err=True,
     )
 
@@ -64,7 +66,10 @@ def _write_parameters(measurements: Sequence[Measurement], table: Path) -> None:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows(zip(*columns.values(), strict=True))
-    say(Message("{runs} runs in {table}", runs=len(columns["run"]), table=table), err=True)
+    say(
+        Message.counted("{count} run in {table}", "{count} runs in {table}", count=len(columns["run"]), table=table),
+        err=True,
+    )
 
 
 def _columns(measurements: Sequence[Measurement]) -> Mapping[str, Sequence[float]]:

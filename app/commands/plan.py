@@ -77,22 +77,24 @@ def _write_pictures(planned: Plan, page: Path) -> None:
 
 
 def _summary(planned: Plan) -> str:
+    dwells = Message.counted("{count} dwell", "{count} dwells", count=planned.dwells)
+    requests = Message.counted("{count} mounting by hand", "{count} mountings by hand", count=planned.requests)
     if not any(isinstance(each.step, Dwell) and each.step.targets_deg for each in planned.steps):
         return Message(
-            "{programme_name}: {dwells} dwells, {requests} mountings by hand, {time} in all",
+            "{programme_name}: {dwells}, {requests}, {time} in all",
             programme_name=planned.programme.name,
-            dwells=planned.dwells,
-            requests=planned.requests,
+            dwells=dwells,
+            requests=requests,
             time=_clock(planned.duration_s),
         )
     low, high = planned.angle_range_deg
     return Message(
-        "{programme_name}: {dwells} dwells between {low:g}° and {high:g}°, {requests} mountings by hand, {time} in all",
+        "{programme_name}: {dwells} between {low:g}° and {high:g}°, {requests}, {time} in all",
         programme_name=planned.programme.name,
-        dwells=planned.dwells,
+        dwells=dwells,
         low=low,
         high=high,
-        requests=planned.requests,
+        requests=requests,
         time=_clock(planned.duration_s),
     )
 
@@ -140,12 +142,14 @@ def _series(dwells: Sequence[Dwell]) -> Iterator[str]:
             )
         else:
             ranges = (_range([targets_deg[positioner] for targets_deg in settings]) for positioner in settings[0])
-            yield Message.joined(", ", [name, Message("{count} settings", count=len(settings)), *ranges])
+            yield Message.joined(
+                ", ", [name, Message.counted("{count} setting", "{count} settings", count=len(settings)), *ranges]
+            )
 
 
 def _set_otherwise(dwells: Sequence[Dwell]) -> Iterator[str]:
     """What nothing turns for: `17 dwells`, and every other condition of them once."""
-    yield Message("{count} dwells", count=len(dwells))
+    yield Message.counted("{count} dwell", "{count} dwells", count=len(dwells))
     changing = [
         name for name in dwells[0].conditions if len({dwell.conditions[name] for dwell in dwells}) > 1
     ]  # what a person sets stays as it is

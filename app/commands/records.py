@@ -141,8 +141,11 @@ def verify(record_ids: tuple[str, ...], folder: Path) -> None:
     records = [_told(verified_record(store, record_id)) for record_id in ids]
     told = [(finding, _told(finding)) for finding in (() if record_ids else leftovers(store))]
     others = [good for finding, good in told if finding.judgement is not Judgement.WHOLE]
-    agreeing = Message(
-        "{agreeing} of {records} records agree with their raw files", agreeing=sum(records), records=len(records)
+    agreeing = Message.counted(
+        "{agreeing} of {count} record agrees with its raw files",
+        "{agreeing} of {count} records agree with their raw files",
+        agreeing=sum(records),
+        count=len(records),
     )
     say(Message.joined("; ", filter(None, [agreeing, _more(others)])))
     if not all([*records, *others]):

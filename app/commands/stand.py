@@ -199,10 +199,11 @@ def verify(names: tuple[str, ...], folder: Path) -> None:
             )
         )
     say(
-        Message(
-            "{verified} of {records} stand records come back from their raw files",
+        Message.counted(
+            "{verified} of {count} stand record comes back from its raw files",
+            "{verified} of {count} stand records come back from their raw files",
             verified=len(records) - failed,
-            records=len(records),
+            count=len(records),
         )
     )
     if failed:

@@ -55,7 +55,11 @@ def offered(adopted: AdoptedEffect, adopting: Adopting[Scene]) -> Effect[Scene]:
         name=adopted.name,
         belongs_to=adopted.belongs_to,
         symbol="a f(v)",
-        source=Message("adopted from {count} units of the laboratory", count=len(adopted.units)),
+        source=Message.counted(
+            "adopted from {count} unit of the laboratory",
+            "adopted from {count} units of the laboratory",
+            count=len(adopted.units),
+        ),
         forms=forms,
         report=_size,
         depends_on=adopted.depends_on,

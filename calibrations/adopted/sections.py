@@ -81,7 +81,8 @@ def _said(kept: Kept) -> Iterator[str]:
             reason=kept.retired.reason,
         )
     if effect.spread is not None:
-        yield Message(
+        yield Message.counted(
+            "its size differs from unit to unit by {spread} of the mean (standard deviation, {count} unit)",
             "its size differs from unit to unit by {spread} of the mean (standard deviation, {count} units)",
             spread=spread_text(effect),
             count=len(effect.units),

@@ -112,10 +112,10 @@ def _left_out(rows: StillRows, stretch: slice, path: Path) -> tuple[str, ...]:
         return ()
     return (
         Message(
-            "{path}: there are gaps; of {rows} rows the {used} of the longest stretch without one are used",
+            "{path}: there are gaps; the longest stretch without one is used (rows: {used} of {rows})",
             path=path,
-            rows=rows.rows_read,
             used=used,
+            rows=rows.rows_read,
         ),
     )
 
@@ -123,10 +123,11 @@ def _left_out(rows: StillRows, stretch: slice, path: Path) -> tuple[str, ...]:
 def _check(recording: StillRecording, path: Path) -> None:
     if recording.samples < FEWEST_SAMPLES:
         raise TableError(
-            Message(
-                "{path}: {samples} samples without a gap; {fewest} are the fewest",
+            Message.counted(
+                "{path}: {count} sample without a gap; {fewest} are the fewest",
+                "{path}: {count} samples without a gap; {fewest} are the fewest",
                 path=path,
-                samples=recording.samples,
+                count=recording.samples,
                 fewest=FEWEST_SAMPLES,
             )
         )

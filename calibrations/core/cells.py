@@ -161,13 +161,13 @@ def _cells(cells: list[str], header: list[str], kept: list[int], line: int, path
     width = len(header)
     if len(cells) < width or any(cells[width:]):
         raise TableError(
-            Message(
-                "{path}, line {line}: {values} values where the header has {columns} columns; complete the line "
-                "or remove it",
+            Message.counted(
+                "{path}, line {line}: {count} value where the header has {columns}; complete the line or remove it",
+                "{path}, line {line}: {count} values where the header has {columns}; complete the line or remove it",
                 path=path,
                 line=line,
-                values=len(cells),
-                columns=width,
+                count=len(cells),
+                columns=Message.counted("{count} column", "{count} columns", count=width),
             )
         )
     nameless = next((place for place in range(width) if not header[place] and cells[place]), None)

@@ -6,6 +6,7 @@ characters that every Western code page has, so that a terminal can print it.
 
 import math
 from dataclasses import dataclass
+from typing import TypeGuard
 
 from tumble.messages import Message
 
@@ -34,18 +35,29 @@ def rounded(value: float, uncertainty: float | None, unit: str) -> Rounded:
 
     Without an uncertainty (None, zero, not finite) the value keeps six significant digits.
     """
-    if uncertainty is None or not math.isfinite(uncertainty) or uncertainty <= 0:
-        exponent = prefix_exponent(abs(value), unit)
+    exponent = _exponent(value, uncertainty, unit)
+    if not _says_something(uncertainty):
         return Rounded(value=_plain(value / 10.0**exponent, 6), uncertainty="", unit=prefixed(unit, exponent))
-    exponent = prefix_exponent(max(abs(value), uncertainty), unit)
-    if _takes_prefix(unit) and _decade(uncertainty) - exponent >= 2 and exponent + 3 in _PREFIXES:
-        exponent += 3  # in the smaller unit the uncertainty would end in a zero that means nothing
     places = two_digit_places(uncertainty) + exponent
     return Rounded(
         value=fixed(value / 10.0**exponent, places),
         uncertainty=fixed(uncertainty / 10.0**exponent, places),
         unit=prefixed(unit, exponent),
     )
+
+
+def _exponent(value: float, uncertainty: float | None, unit: str) -> int:
+    """Power of ten of the prefix with which a value and its uncertainty are written."""
+    if not _says_something(uncertainty):
+        return prefix_exponent(abs(value), unit)
+    exponent = prefix_exponent(max(abs(value), uncertainty), unit)
+    if _takes_prefix(unit) and _decade(uncertainty) - exponent >= 2 and exponent + 3 in _PREFIXES:
+        exponent += 3  # in the smaller unit the uncertainty would end in a zero that means nothing
+    return exponent
+
+
+def _says_something(uncertainty: float | None) -> TypeGuard[float]:
+    return uncertainty is not None and math.isfinite(uncertainty) and uncertainty > 0
 
 
 def format_quantity(value: float, uncertainty: float | None, unit: str) -> str:
@@ -83,7 +95,24 @@ def format_interval(low: float, high: float, unit: str) -> str:
 
 def format_limits(minimum: float | None, maximum: float | None, unit: str) -> str:
     """`0.95 to 1.05 V/g`, `from 2 mV`, `up to 3°`: limits as somebody wrote them, without zeros at their ends."""
-    exponent = prefix_exponent(max(abs(end) for end in (minimum, maximum, 0.0) if end is not None), unit)
+    return _limits(minimum, maximum, unit, prefix_exponent(_larger(minimum, maximum), unit))
+
+
+def format_limits_beside(
+    value: float, uncertainty: float | None, minimum: float | None, maximum: float | None, unit: str
+) -> str:
+    """The same with the prefix of the value beside them, unless that makes numbers of many digits of them."""
+    exponent = _exponent(value, uncertainty, unit)
+    if not 1.0 <= _larger(minimum, maximum) / 10.0**exponent < _MANY:
+        return format_limits(minimum, maximum, unit)
+    return _limits(minimum, maximum, unit, exponent)
+
+
+def _larger(minimum: float | None, maximum: float | None) -> float:
+    return max(abs(end) for end in (minimum, maximum, 0.0) if end is not None)
+
+
+def _limits(minimum: float | None, maximum: float | None, unit: str, exponent: int) -> str:
     low, high = ("" if end is None else f"{end / 10.0**exponent:.6g}" for end in (minimum, maximum))
     if low and high:
         return join(f"{low} to {high}", prefixed(unit, exponent))

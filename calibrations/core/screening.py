@@ -83,7 +83,12 @@ def used_without(rows: _R, name: str, bad: NDArray[np.bool_]) -> _R:
     first = int(np.argmax(bad))
     where = Message("row {row}", row=rows.row[first])
     if others:
-        where = Message("row {row} and likewise in {others} others", row=rows.row[first], others=others)
+        where = Message.counted(
+            "row {row} and likewise in {count} other",
+            "row {row} and likewise in {count} others",
+            row=rows.row[first],
+            count=others,
+        )
     sentence = Message(
         "{source}: {column} is {value:g} in {where}; used without it",
         source=rows.source,

@@ -51,7 +51,7 @@ def compare(first: Record, second: Record) -> tuple[Difference, ...]:
 
     The standard uncertainty is the root sum of squares (GUM 5.1.2), as if the two records were independent. What they
     share, the gain of one DAQ and the error of one head, moves both values alike and drops out of the difference: for
-    records of one stand the uncertainty is too large, and the test conservative. For two analyses of one raw file it
+    records of one stand the uncertainty is too large, and the test conservative. For two analyses of the same data it
     is far too large: there every difference comes from the analysis, and the sentence says so. An interval
     that is not symmetric counts by its standard uncertainty. Values are called changed at 5% for all of them together
     (Bonferroni): at 5% for each, one of six that stayed as they were would be in every fourth comparison.
@@ -201,18 +201,18 @@ def _sentence(change: Message, p_value: float | None, chance: float) -> Message:
 
 def _of_one_file(change: Message, name: str, difference: float) -> Message:
     if difference == 0.0:
-        return Message("{name} did not change: both records come from one raw file.", name=name)
+        return Message("{name} did not change: both records come from the same raw data.", name=name)
     return Message(
-        "{change}: both records come from one raw file, so this is what the analysis changed.", change=change
+        "{change}: both records come from the same raw data, so this is what the analysis changed.", change=change
     )
 
 
 def _conclusion(difference: float, p_value: float | None, chance: float, same_file: bool) -> Iterator[Message]:
     """What a difference means; nothing where it has no uncertainty to be held against."""
     if same_file and difference == 0.0:
-        yield Message("No change: both records come from one raw file.")
+        yield Message("No change: both records come from the same raw data.")
     elif same_file:
-        yield Message("Both records come from one raw file: this is what the analysis changed.")
+        yield Message("Both records come from the same raw data: this is what the analysis changed.")
     elif p_value is not None and p_value < chance:
         yield Message("Significant (p = {p_value:.2g}).", p_value=p_value)
     elif p_value is not None:

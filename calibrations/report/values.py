@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
-from tumble.calibrations.core.quantities import format_limits, format_quantity, rounded
+from tumble.calibrations.core.quantities import format_limits, format_limits_beside, format_quantity, rounded
 from tumble.calibrations.core.verdict import Judgement, Outcome
 from tumble.calibrations.core.view import Quantity
 from tumble.calibrations.report.bars import drawn_bar
@@ -78,11 +78,20 @@ def _against(parameter: Parameter, check: LimitCheck | None, judgement: Judgemen
     if check is None or judgement is None:
         return {"limits": "", "bar": "", "decided": "", "outcome": str(Outcome.NO_LIMITS)}
     return {
-        "limits": format_limits(check.minimum, check.maximum, parameter.unit),
+        "limits": limits_text(parameter, check),
         "bar": drawn_bar(limit_bar(parameter, check, judgement.outcome)),
         "decided": decided(parameter, check, judgement),
         "outcome": str(judgement.outcome),
     }
+
+
+def limits_text(parameter: Parameter, check: LimitCheck) -> str:
+    """The limits of a parameter, in the unit of its value where there is one."""
+    if parameter.value is None:
+        return format_limits(check.minimum, check.maximum, parameter.unit)
+    low, high = parameter.interval_95 or (0.0, 0.0)
+    uncertainty = (high - low) / 2 if high > low else parameter.standard_uncertainty
+    return format_limits_beside(parameter.value, uncertainty, check.minimum, check.maximum, parameter.unit)
 
 
 def stated(parameter: Parameter) -> str:

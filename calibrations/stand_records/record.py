@@ -158,9 +158,11 @@ class StandRecord:
         return Source(
             name=Message("stand record {version}", version=self.version),
             symbol=Message(
-                "{coefficients} coefficients of {terms} terms, correlated",
-                coefficients=len(self.corrections.values),
-                terms=len(self.corrections.terms),
+                "{coefficients} of {terms}, correlated",
+                coefficients=Message.counted(
+                    "{count} coefficient", "{count} coefficients", count=len(self.corrections.values)
+                ),
+                terms=Message.counted("{count} term", "{count} terms", count=len(self.corrections.terms)),
             ),
             errors_v=columns_v @ (vectors * np.sqrt(np.maximum(values, 0.0))),
         )

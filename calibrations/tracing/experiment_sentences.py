@@ -37,7 +37,7 @@ def qualified(why: Message, needed: Sequence[str], others: Sequence[str], runs: 
     if others:
         why = Message("{why}; only together with {programmes}", why=why, programmes=series(others))
     if runs > 1:
-        why = Message("{why}; run it {runs} times", why=why, runs=runs)
+        why = Message.counted("{why}; run it {count} time", "{why}; run it {count} times", why=why, count=runs)
     if likely:
         why = Message("{why}; so much is likely, but not sure", why=why)
     return why
@@ -72,7 +72,14 @@ def remedied(owners: Collection[str], probes: Sequence[Probe], runs: int, otherw
         ways.append(Message("as they belong to {owners}, exchange one of these", owners=exchanged))
     if runs:
         names = series(list(dict.fromkeys(probe.programme for probe in probes)))
-        ways.append(Message("run {programmes} some {runs} times", programmes=names, runs=runs))
+        ways.append(
+            Message.counted(
+                "run {programmes} some {count} time",
+                "run {programmes} some {count} times",
+                programmes=names,
+                count=runs,
+            )
+        )
     if otherwise:
         ways.append(otherwise)
     return Message.joined("; ", ways) if ways else ""

@@ -82,8 +82,11 @@ class Table:
     def not_traced(self) -> str:
         """Why nothing is looked for; empty where it is."""
         if self.rows < self.fewest_rows:
-            return Message(
-                "{rows} rows are too few; at least {fewest} are needed", rows=self.rows, fewest=self.fewest_rows
+            return Message.counted(
+                "{count} row is too few; at least {fewest} are needed",
+                "{count} rows are too few; at least {fewest} are needed",
+                count=self.rows,
+                fewest=self.fewest_rows,
             )
         if as_written(self.declared, self.output):
             return Message(

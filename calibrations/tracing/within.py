@@ -64,11 +64,19 @@ def too_few(rows: int, fewest: int, counted: str, visits: int = 0) -> str:
     if rows >= fewest:
         return ""
     if not visits:
-        return Message("{counted} are too few; at least {fewest} are needed", counted=counted, fewest=fewest)
-    return Message(
-        "{counted} (visited {visits} times) are too few; at least {fewest} are needed",
+        return Message.counted(
+            "{counted} is too few; at least {fewest} are needed",
+            "{counted} are too few; at least {fewest} are needed",
+            count=rows,
+            counted=counted,
+            fewest=fewest,
+        )
+    return Message.counted(
+        "{counted} ({visited}) is too few; at least {fewest} are needed",
+        "{counted} ({visited}) are too few; at least {fewest} are needed",
+        count=rows,
         counted=counted,
-        visits=visits,
+        visited=Message.counted("visited {count} time", "visited {count} times", count=visits),
         fewest=fewest,
     )
 

@@ -116,10 +116,11 @@ class CanDaq:
     def _complaint(self, collection: Collection, samples: int) -> str:
         """What is wrong with a block; empty where it is whole."""
         if collection.missing or collection.doubled:
-            return Message(
-                "{missing} of {samples} voltage frames were lost and {doubled} came twice",
+            return Message.counted(
+                "{missing} of {count} voltage frame was lost and {doubled} came twice",
+                "{missing} of {count} voltage frames were lost and {doubled} came twice",
                 missing=collection.missing,
-                samples=samples,
+                count=samples,
                 doubled=collection.doubled,
             )
         if self._frames.has("Temperature") and collection.temperature_degc is None:

@@ -118,7 +118,13 @@ class FreeRunningDaq:
         moments_s: list[float] = []
         while len(voltages_v) < samples:
             frame = self._next(
-                deadline_s, Message("sent {given} of {samples} voltages", given=len(voltages_v), samples=samples)
+                deadline_s,
+                Message.counted(
+                    "sent {given} of {count} voltage",
+                    "sent {given} of {count} voltages",
+                    given=len(voltages_v),
+                    count=samples,
+                ),
             )
             if frame.name == "Voltage":
                 voltages_v.append(frame.number("Voltage"))
@@ -143,8 +149,11 @@ class FreeRunningDaq:
         wrong = int(np.count_nonzero(steps != 1))
         if not wrong:
             return ""
-        return Message(
-            "{wrong} of {frames} voltage frames did not follow the one before", wrong=wrong, frames=len(counters)
+        return Message.counted(
+            "{wrong} of {count} voltage frame did not follow the one before",
+            "{wrong} of {count} voltage frames did not follow the one before",
+            wrong=wrong,
+            count=len(counters),
         )
 
     def _check_rate(self, moments_s: list[float], rate_hz: float) -> None:

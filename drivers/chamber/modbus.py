@@ -3,8 +3,11 @@
 import logging
 import math
 import select
+import socket
 import time
 from collections.abc import Callable
+from contextlib import suppress
+from functools import partial
 from typing import Any, Final, TypeVar
 
 from pymodbus import ModbusException
@@ -14,6 +17,7 @@ from pymodbus.pdu import ModbusPDU
 from tumble.drivers.chamber.registers import Bit, Quantity
 from tumble.drivers.chamber.table import ModbusChamberTable
 from tumble.drivers.errors import DeviceError, LimitError, LinkLostError
+from tumble.drivers.links.opening import opened
 from tumble.drivers.protocols import EnvironmentStatus, Identity
 from tumble.messages import Message
 
@@ -45,6 +49,16 @@ class _Client(ModbusTcpClient):
         host, port = table.place
         super().__init__(host, port=port, timeout=table.timeout_s, retries=TRIES - 1)
         self._check = check
+
+    def connect(self) -> bool:
+        """Open the connection, unless there is one; returns whether there is one now. Raises what `check` raises."""
+        if self.socket is None:
+            wanted = self.comm_params
+            place = wanted.host, wanted.port
+            open_it = partial(socket.create_connection, place, wanted.timeout_connect)
+            with suppress(OSError):
+                self.socket = opened(open_it, self._check, socket.socket.close, f"{wanted.host}:{wanted.port}")
+        return self.socket is not None
 
     def recv(self, size: int | None) -> bytes:
         """Wait for bytes as pymodbus does, once there are any or its patience is at its end.
@@ -102,7 +116,7 @@ class ModbusChamber:
     def reconnect(self) -> None:
         """Open the connection anew. Raises `LinkLostError` while it is away."""
         self._client.close()  # type: ignore[no-untyped-call]
-        if not self._client.connect():  # type: ignore[no-untyped-call]
+        if not self._client.connect():
             raise self._lost(Message("nobody is there"))
 
     def close(self) -> None:

@@ -31,14 +31,21 @@ class Gathered:
     def complaint(self, modulus: int) -> str:
         """What is wrong with the block; empty where it is whole. A counter, if there is one, counts up to `modulus`."""
         if self.spoilt:
-            return Message("{spoilt} lines of a block said nothing", spoilt=self.spoilt)
+            return Message.counted(
+                "{count} line of a block said nothing", "{count} lines of a block said nothing", count=self.spoilt
+            )
         if not modulus:
             return ""
         counts = np.array([sample.count for sample in self.samples], dtype=np.float64)
         wrong = int(np.count_nonzero(np.diff(counts) % modulus != 1))
         if not wrong:
             return ""
-        return Message("{wrong} of {lines} lines did not follow the one before", wrong=wrong, lines=len(counts))
+        return Message.counted(
+            "{wrong} of {count} line did not follow the one before",
+            "{wrong} of {count} lines did not follow the one before",
+            wrong=wrong,
+            count=len(counts),
+        )
 
     def other_rate_hz(self, rate_hz: float) -> float | None:
         """The rate at which the lines came, where that is not `rate_hz`."""

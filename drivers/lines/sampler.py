@@ -156,7 +156,8 @@ class LineSampler:
                 self._tally.count(Message("{error} dropped", error=error), ascii(line.decode("latin-1").strip()))
         raise DeviceError(
             DEVICE,
-            Message(
+            Message.counted(
+                "sent {count} line in a row that says nothing ({dropped})",
                 "sent {count} lines in a row that say nothing ({dropped})",
                 count=_MOST_SPOILT,
                 dropped=self._tally.words,

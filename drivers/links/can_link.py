@@ -11,6 +11,7 @@ import can
 
 from tumble.drivers.errors import LinkLostError
 from tumble.drivers.links.can_address import CanAddress
+from tumble.drivers.links.opening import opened
 from tumble.drivers.links.patience import PAUSE_S, in_words, is_gone, patiently
 from tumble.drivers.links.places import check_server
 from tumble.drivers.links.slcan import SlcanBus
@@ -44,6 +45,8 @@ class CanLink:
     ----------
     address
         Where the bus is.
+    check_opening
+        Called many times a second while the bus is opened; what it raises breaks that off.
 
     Raises
     ------
@@ -51,8 +54,8 @@ class CanLink:
         The bus cannot be opened.
     """
 
-    def __init__(self, address: CanAddress) -> None:
-        self.address = address
+    def __init__(self, address: CanAddress, check_opening: Callable[[], object] = lambda: None) -> None:
+        self.address, self._check_opening = address, check_opening
         self.generation = 0
         """How often the bus has been opened."""
         self.tally = Tally(Message("CAN bus {url}", url=address.url))
@@ -77,7 +80,7 @@ class CanLink:
                 patiently(lambda: bus.send(message, timeout=SEND_TIMEOUT_S), SEND_TIMEOUT_S, self._bears)
             except Exception as error:  # every interface of python-can has its own kinds
                 self._trouble = self._trouble or in_words(error)
-                raise self._lost() from error
+                raise self._lost(self._trouble) from error
 
     def check(self) -> None:
         """Make sure that the bus is there. Raises `LinkLostError`."""
@@ -87,15 +90,12 @@ class CanLink:
     def reopen(self, generation: int) -> int:
         """Open the bus anew, unless another instrument has done so since it was opened for the `generation`-th time.
 
-        Returns the generation that is open now. Raises `LinkLostError` while the bus is not there.
+        Returns the generation that is open now. Raises `LinkLostError` while the bus is not there, and whatever
+        `check_opening` raises.
         """
         if generation == self.generation:
             self.close()
-            try:
-                bus = _open(self.address)
-            except Exception as error:  # every interface of python-can has its own kinds
-                self._trouble = in_words(error)
-                raise self._lost() from error
+            bus = opened(self._opened, self._check_opening, lambda late: late.shutdown(), self.address.url)
             self.generation += 1
             self._trouble = ""
             self._bus = bus
@@ -103,6 +103,13 @@ class CanLink:
             self._thread = threading.Thread(target=self._receive, args=(bus,), name=name, daemon=True)
             self._thread.start()
         return self.generation
+
+    def _opened(self) -> can.BusABC:
+        """A bus at the address. Raises `LinkLostError`."""
+        try:
+            return _open(self.address)
+        except Exception as error:  # every interface of python-can has its own kinds
+            raise self._lost(in_words(error)) from error
 
     def close(self) -> None:
         """Leave the bus; a closed link stays closed until it is reopened."""
@@ -116,13 +123,13 @@ class CanLink:
 
     def _open_bus(self) -> can.BusABC:
         if self._bus is None or self._trouble:
-            raise self._lost()
+            raise self._lost(self._trouble)
         return self._bus
 
-    def _lost(self) -> LinkLostError:
+    def _lost(self, trouble: str) -> LinkLostError:
         return LinkLostError(
             Message("CAN bus {url}", url=self.address.url),
-            Message("the link is lost ({trouble})", trouble=self._trouble),
+            Message("the link is lost ({trouble})", trouble=trouble),
             Message("check interface, cable, termination and bit rate; the run can be resumed"),
         )
 

@@ -16,9 +16,13 @@ Shared = TypeVar("Shared")
 
 
 class Links:
-    """What is open. Instruments on the same CAN bus share it, and so may those on one serial line."""
+    """What is open. Instruments on the same CAN bus share it, and so may those on one serial line.
 
-    def __init__(self) -> None:
+    `check_opening` is called many times a second while one is opened, also anew; what it raises breaks that off.
+    """
+
+    def __init__(self, check_opening: Callable[[], object] = lambda: None) -> None:
+        self._check_opening = check_opening
         self.check: Callable[[], object] = lambda: None
         """To be called many times a second while an answer is awaited; may raise."""
         self._opened = ExitStack()
@@ -35,7 +39,7 @@ class Links:
         """Open a serial line; errors call the instrument `device`. Raises `LinkLostError`."""
         from tumble.drivers.links.serial_link import SerialLink
 
-        link = SerialLink(table.url, table.baud_rate, device, self.check)
+        link = SerialLink(table.url, table.baud_rate, device, self.check, self._check_opening)
         self._opened.callback(link.close)
         return link
 
@@ -52,7 +56,7 @@ class Links:
 
         address = table.bus
         if address.url not in self._buses:
-            self._buses[address.url] = CanLink(address)
+            self._buses[address.url] = CanLink(address, self._check_opening)
             self._opened.callback(self._buses[address.url].close)
         return self._buses[address.url]
 

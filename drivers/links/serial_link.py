@@ -11,6 +11,7 @@ from typing import Final
 import serial
 
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
+from tumble.drivers.links.opening import opened
 from tumble.drivers.links.patience import in_words, is_passing, patiently
 from tumble.messages import Message
 
@@ -55,6 +56,8 @@ class SerialLink:
     check
         Called many times a second while a line is awaited, or what has come is thrown away; what it raises breaks
         that off.
+    check_opening
+        The same while the port is opened, whenever that is.
 
     Raises
     ------
@@ -68,9 +71,10 @@ class SerialLink:
         baud_rate: int = 115_200,
         device: str = "instrument",
         check: Callable[[], object] = lambda: None,
+        check_opening: Callable[[], object] = lambda: None,
     ) -> None:
         self.url = url
-        self._check = check
+        self._check, self._check_opening = check, check_opening
         self.device = device
         self._baud_rate = baud_rate
         self._is_socket = url.startswith("socket://")
@@ -143,9 +147,16 @@ class SerialLink:
                 raise self._chatters(Message("sends without pause at {url}", url=self.url))
 
     def reopen(self) -> None:
-        """Close and open the port anew, with nothing waiting. Raises `LinkLostError` while it is not there."""
+        """Close and open the port anew, with nothing waiting.
+
+        Raises `LinkLostError` while it is not there, and whatever `check_opening` raises: the port is closed then.
+        """
         self.close()
         self._let_server_notice()
+        self._port = opened(self._opened, self._check_opening, lambda port: port.close(), self.url)
+
+    def _opened(self) -> serial.Serial:
+        """A port at the address. Raises `LinkLostError`."""
         telnet = self.url.startswith("rfc2217://")  # pyserial offers no write timeout there
         open_port = partial(
             serial.serial_for_url,
@@ -156,14 +167,15 @@ class SerialLink:
             exclusive=True,
         )
         try:
-            self._port = patiently(open_port, FAILING_S, _is_passing_at_opening)
-            _send_at_once(self._port)
+            port: serial.Serial = patiently(open_port, FAILING_S, _is_passing_at_opening)
+            _send_at_once(port)
         except Exception as error:  # pyserial lets through what the system's terminals raise
             raise LinkLostError(
                 self.device,
                 Message("cannot be reached at {url} ({reason})", url=self.url, reason=in_words(error)),
                 Message("check cable, power and port, and the url in the stand file"),
             ) from error
+        return port
 
     def close(self) -> None:
         """Close the port; a closed one stays closed."""

@@ -75,7 +75,12 @@ def _data_frame(line: bytes, standard: bytes | None, extended: bytes | None, len
     wanted = 2 * int(length)
     if len(digits) - wanted not in (0, 4, 8):
         raise ValueError(
-            Message("{line!r} does not have the {length} bytes that it says", line=line, length=int(length))
+            Message.counted(
+                "{line!r} does not have the {count} byte that it says",
+                "{line!r} does not have the {count} bytes that it says",
+                line=line,
+                count=int(length),
+            )
         )
     return can.Message(
         arbitration_id=int(standard or extended or b"", 16),

@@ -91,7 +91,12 @@ def parse_reply(line: bytes, tag: int, queries: int) -> tuple[str, ...]:
         raise StaleReplyError(Message("answer number {first} instead of {tag}", first=first, tag=tag))
     if len(answers) != queries:
         raise CorruptReplyError(
-            Message("{answers} answers to {queries} questions", answers=len(answers), queries=queries)
+            Message.counted(
+                "{count} answer to {queries} questions",
+                "{count} answers to {queries} questions",
+                count=len(answers),
+                queries=queries,
+            )
         )
     return tuple(answers)
 
@@ -185,7 +190,9 @@ def _fields(line: bytes, *, at_least: int, at_most: int | None = None) -> list[s
     if ";".join(fields) != text:
         raise CorruptReplyError(Message("a quotation mark without its other half"))
     if not at_least <= len(fields) <= (at_most or len(fields)):
-        raise CorruptReplyError(Message("{answers} answers in a line", answers=len(fields)))
+        raise CorruptReplyError(
+            Message.counted("{count} answer in a line", "{count} answers in a line", count=len(fields))
+        )
     return fields
 
 

@@ -141,7 +141,12 @@ def sweeps(known: Acquaintance, numbers: Sequence[int], range_v: float, count: i
         most_hz = 1.0 / len(numbers) / (SWITCHING_S + 2.0 * model.nplc[0] / known.line_hz)
         raise DeviceError(
             DEVICE,
-            Message("cannot take {count} channels {rate_hz:g} times a second", count=len(numbers), rate_hz=rate_hz),
+            Message.counted(
+                "cannot take {count} channel {rate_hz:g} times a second",
+                "cannot take {count} channels {rate_hz:g} times a second",
+                count=len(numbers),
+                rate_hz=rate_hz,
+            ),
             Message("ask for {most_hz:.3g} times at most", most_hz=most_hz),
         )
     range_v = next((known_v for known_v in model.ranges_v if known_v >= range_v), model.ranges_v[-1])

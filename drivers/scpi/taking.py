@@ -70,7 +70,12 @@ def _insisted(exchange: Exchange, measurement: Measurement, take: Callable[[], T
             happened = error.happened
     raise DeviceError(
         Message("multimeter"),
-        Message("failed to measure {attempts} times: {happened}", attempts=ATTEMPTS, happened=happened),
+        Message.counted(
+            "failed to measure {count} time: {happened}",
+            "failed to measure {count} times: {happened}",
+            count=ATTEMPTS,
+            happened=happened,
+        ),
         Message("look at its display, then resume the run"),
     )
 
@@ -174,6 +179,8 @@ def _readings(field: str, count: int) -> NDArray[np.float64]:
             Message("check its language"),
         ) from error
     if len(readings) != count:
-        happened = Message("gave {given} of {count} readings", given=len(readings), count=count)
+        happened = Message.counted(
+            "gave {given} of {count} reading", "gave {given} of {count} readings", given=len(readings), count=count
+        )
         raise DeviceError(Message("multimeter"), happened, Message("check that nobody else talks to it"))
     return readings

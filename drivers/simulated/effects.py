@@ -39,9 +39,9 @@ class Misreading(Table):
         if isinstance(self.error_deg, tuple) and len(self.error_deg) != len(self.rows):
             raise ValueError(
                 Message(
-                    "misreading names {rows} rows but {errors} errors; give one error_deg for all, or one for each row",
-                    rows=len(self.rows),
-                    errors=len(self.error_deg),
+                    "misreading names {rows} but {errors}; give one error_deg for all, or one for each row",
+                    rows=Message.counted("{count} row", "{count} rows", count=len(self.rows)),
+                    errors=Message.counted("{count} error", "{count} errors", count=len(self.error_deg)),
                 )
             )
         return self

@@ -44,10 +44,11 @@ def _decompressed(chunk: Chunk) -> bytes:
         raise ValueError(Message("a chunk says two different sizes"))
     if size > LARGEST_CHUNK:
         raise TooLargeError(
-            Message(
-                "holds a chunk of {size_mib:.0f} MiB, packed into {packed} bytes",
+            Message.counted(
+                "holds a chunk of {size_mib:.0f} MiB, packed into {count} byte",
+                "holds a chunk of {size_mib:.0f} MiB, packed into {count} bytes",
                 size_mib=size / 2**20,
-                packed=len(chunk.data),
+                count=len(chunk.data),
             )
         )
     return zstandard.ZstdDecompressor().decompress(chunk.data)

@@ -206,9 +206,10 @@ class _Reading:
         counted = parsed(Statistics, frame).message_count
         if counted != self._messages:
             yield self._damage(
-                Message(
-                    "{counted} messages were written to it, and the last that is there is {present}",
-                    counted=counted,
+                Message.counted(
+                    "{count} message was written to it, and the last that is there is {present}",
+                    "{count} messages were written to it, and the last that is there is {present}",
+                    count=counted,
                     present=self._messages,
                 )
             )

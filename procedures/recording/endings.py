@@ -13,7 +13,9 @@ _TOLD = 5
 def warnings(recording: Recording) -> Iterator[str]:
     """Yield the warnings of the run itself, then what a file that was cut off or damaged lacks."""
     yield from (event.message for event in recording.events if isinstance(event, WarningRaised))
-    kept = Message("its {count} complete points are used", count=len(recording.points))
+    kept = Message.counted(
+        "its {count} complete point is used", "its {count} complete points are used", count=len(recording.points)
+    )
     if recording.damage:
         yield Message("{path} is damaged: {some}; {kept}", path=recording.path, some=_some(recording.damage), kept=kept)
     elif not recording.closed:

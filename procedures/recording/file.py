@@ -84,10 +84,11 @@ class JournalFile:
             self._stream.close()
             raise RecordingError(
                 self.path,
-                Message(
-                    "was cut from {durable} to {size} bytes by another program while it was written",
+                Message.counted(
+                    "was cut from {durable} to {count} byte by another program while it was written",
+                    "was cut from {durable} to {count} bytes by another program while it was written",
                     durable=self._durable,
-                    size=size,
+                    count=size,
                 ),
                 Message("keep other programs from it"),
             )

@@ -96,6 +96,11 @@ def parsed(kind: Readable[_Record], frame: Frame) -> _Record:
     record = kind.read(stream)
     if stream.count != len(frame.body):
         raise ValueError(
-            Message("a record of {count} bytes has content of {stated}", count=len(frame.body), stated=stream.count)
+            Message.counted(
+                "a record of {count} byte has content of {stated}",
+                "a record of {count} bytes has content of {stated}",
+                count=len(frame.body),
+                stated=stream.count,
+            )
         )
     return record

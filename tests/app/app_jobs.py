@@ -10,8 +10,10 @@ from unittest.mock import patch
 from markupsafe import Markup
 
 from tumble.app.cli import main
+from tumble.app.terminal import speak
 from tumble.calibrations.methods.dividing_head import analysis
 from tumble.calibrations.methods.dividing_head.loop.loop import explain_questioned
+from tumble.messages import Language
 from tumble.procedures.control import Control
 from tumble.procedures.events import PointCompleted
 from tumble.procedures.recording.writer import Recorder
@@ -75,6 +77,8 @@ def tumble(*arguments):
             main()
         except SystemExit as leaving:
             status = leaving.code
+        finally:
+            speak(Language.ENGLISH)  # a shell begins each time anew
     return Ran(status=status, out=out.getvalue(), err=err.getvalue())
 
 

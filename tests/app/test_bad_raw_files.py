@@ -21,7 +21,7 @@ BAD_TABLES = {
     ),
     "a ragged line": (
         TABLE + "180\n",
-        ", line 4: 1 values where the header has 2 columns; complete the line or remove it",
+        ", line 4: 1 value where the header has 2 columns; complete the line or remove it",
     ),
     "text for a number": (
         TABLE + "180,2;5\n",

@@ -52,7 +52,7 @@ def test_one_command_leaves_record_and_report(folder):
         found = done["parameters"][name]
         assert abs(found["value"] - true) < 4.0 * found["standard_uncertainty"]
     assert (folder / done["report"]).is_file()
-    assert "1 of 1 records agree" in tumble("records", "verify", "--store", "s").out
+    assert "1 of 1 record agrees" in tumble("records", "verify", "--store", "s").out
 
 
 def test_the_vertical_part_is_taken_off_with_the_stated_latitude(folder):

@@ -76,7 +76,7 @@ def test_a_head_table_of_one_row_is_too_short_and_says_so(tmp_path):
     (tmp_path / "one.csv").write_text("angle_deg,reference_deg\n0,0.1\n", "utf-8")
     ran, document = closed(tmp_path, tmp_path / "one.csv")
     assert document["declared"]["held_out_rms_deg"] is None
-    assert "1 rows are too few; at least 6 are needed" in ran.err
+    assert "1 row is too few; at least 6 are needed" in ran.err
 
 
 def test_no_experiment_can_be_run_from_a_head_table(eccentric):
@@ -218,7 +218,7 @@ def test_a_reference_gives_a_stand_record_that_is_in_force_at_once_and_comes_bac
     assert "270°    -7" in shown.out  # seconds of arc: 0.02° is 72″
     verified = tumble("stand", "verify", "--store", store)
     assert verified.status == 0, verified.out
-    assert "1 of 1 stand records come back" in verified.out
+    assert "1 of 1 stand record comes back" in verified.out
 
 
 def test_a_reference_that_shows_nothing_gives_no_record(tmp_path):

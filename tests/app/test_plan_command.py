@@ -21,7 +21,7 @@ def test_a_sweep_there_and_back_is_said_to_be_one():
 def test_a_plan_shows_every_step_where_it_is_asked_to(tiny):
     summary, *lines = tumble("plan", tiny, "--steps").out.splitlines()
 
-    assert summary == "tiny: 6 dwells between 0° and 300°, 1 mountings by hand, 0:01:16 in all"
+    assert summary == "tiny: 6 dwells between 0° and 300°, 1 mounting by hand, 0:01:16 in all"
     assert lines[0] == "    1  0:00:00  seat the unit in face-up (60 s allowed)"
     assert lines[1] == "    2  0:01:00  sweep 1: face-up at 0° (0.2 s)"
     assert lines[2] == "    3  0:01:00  sweep 1: face-up at 60° (3.2 s)"

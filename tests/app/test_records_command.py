@@ -103,12 +103,12 @@ def test_a_comparison_says_what_changed_significantly(copied, write, tmp_path):
     assert ": not significant (p = " in sentences["u0"]
 
 
-def test_a_comparison_knows_two_analyses_of_one_raw_file(copied):
+def test_a_comparison_knows_two_analyses_of_the_same_raw_data(copied):
     second = refitted(copied)
 
     text = tumble("records", "compare", copied.document["record"], second, "--store", copied.store).out
 
-    assert "kx did not change: both records come from one raw file." in text
+    assert "kx did not change: both records come from the same raw data." in text
 
 
 def test_an_untouched_record_is_verified(calibrated, monkeypatch):
@@ -118,7 +118,7 @@ def test_an_untouched_record_is_verified(calibrated, monkeypatch):
 
     assert ran.status == 0
     assert f"{calibrated.document['record']}: verified" in ran.out
-    assert "1 of 1 records agree with their raw files" in ran.out
+    assert "1 of 1 record agrees with its raw files" in ran.out
 
 
 def test_a_store_that_was_moved_is_verified(copied, tmp_path):
@@ -145,7 +145,7 @@ def test_a_record_whose_raw_file_was_altered_is_not_verified(copied, spoil, word
     assert ran.status == 2
     assert f"{copied.document['record']}: NOT VERIFIED" in ran.out
     assert f"{recording}: {word}." in ran.out
-    assert "0 of 1 records agree with their raw files" in ran.out
+    assert "0 of 1 record agrees with its raw files" in ran.out
 
 
 @pytest.mark.parametrize("command", ["show", "export", "verify"])

@@ -47,7 +47,7 @@ def test_an_old_store_is_verified_migrated_and_verified_again(old):
         verified = records(old, "verify")
         assert verified.status == 0
         assert f"{RECORD}: verified" in verified.out
-        assert "1 of 1 records agree with their raw files" in verified.out
+        assert "1 of 1 record agrees with its raw files" in verified.out
         records(old, "migrate")
     assert tumble("stand", "verify", "--store", old).status == 0
 

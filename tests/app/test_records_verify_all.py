@@ -100,7 +100,7 @@ def test_a_record_with_another_content_is_not_verified(copied, content):
 
     assert ran.status == 2
     assert "NOT VERIFIED" in ran.out
-    assert "0 of 1 records agree" in ran.out
+    assert "0 of 1 record agrees" in ran.out
 
 
 def test_a_recording_that_is_missing_is_counted_among_the_others(copied):

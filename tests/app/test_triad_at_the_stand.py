@@ -44,7 +44,7 @@ def test_one_command_leaves_record_and_report(folder):
     page = (folder / done["report"]).read_text("utf-8")
     assert "Mismatch by position" in page
     assert "Correction a = C (u - b)" in page
-    assert "1 of 1 records agree" in tumble("records", "verify", "--store", "s").out
+    assert "1 of 1 record agrees" in tumble("records", "verify", "--store", "s").out
 
 
 def test_its_plan_names_both_axes():

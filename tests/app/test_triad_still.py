@@ -76,7 +76,7 @@ def test_a_record_of_files_beside_its_store_is_verified():
     ran = tumble("close-loop", "positions.mcap", "still.mcap", "--record", "--store", "s")
     assert ran.status == 0, ran.err
 
-    assert "1 of 1 records agree" in tumble("records", "verify", "--store", "s").out
+    assert "1 of 1 record agrees" in tumble("records", "verify", "--store", "s").out
 
 
 def test_the_noise_is_told_from_the_recording_alone_and_makes_a_programme():

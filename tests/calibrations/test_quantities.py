@@ -76,6 +76,20 @@ def test_limits_stand_as_somebody_wrote_them(minimum, maximum, text):
 
 
 @pytest.mark.parametrize(
+    ("value", "uncertainty", "minimum", "maximum", "text"),
+    [
+        (0.99994, 0.00015, 0.99, 1.01, "990 to 1010 mV/g"),
+        (1.00013, 0.00015, 0.99, 1.01, "0.99 to 1.01 V/g"),
+        (0.99994, None, 0.99, None, "from 990 mV/g"),
+        (20e-6, 1e-6, -5.0, 5.0, "-5 to 5 V/g"),
+        (2.5, 0.1, -20e-6, 20e-6, "-20 to 20 µV/g"),
+    ],
+)
+def test_limits_are_in_the_unit_of_the_value_beside_them(value, uncertainty, minimum, maximum, text):
+    assert q.format_limits_beside(value, uncertainty, minimum, maximum, "V/g") == text
+
+
+@pytest.mark.parametrize(
     ("value", "digits", "text"),
     [
         (1.0205e-4, 3, "102 µV"),

@@ -73,24 +73,24 @@ def test_of_six_values_none_is_significant_at_a_chance_that_one_of_them_has(tmp_
     ] * 6
 
 
-def test_two_analyses_of_one_raw_file_differ_by_the_analysis(record):
+def test_two_analyses_of_the_same_raw_data_differ_by_the_analysis(record):
     (kx,) = compare(record(), record(value=1.0005))
     assert kx.sentence == (
         "kx changed by +0.50 mV/g, standard uncertainty 0.42 mV/g: "
-        "both records come from one raw file, so this is what the analysis changed."
+        "both records come from the same raw data, so this is what the analysis changed."
     )
 
 
-def test_two_equal_analyses_of_one_raw_file_show_no_change(record):
+def test_two_equal_analyses_of_the_same_raw_data_show_no_change(record):
     (kx,) = compare(record(), record())
-    assert kx.sentence == "kx did not change: both records come from one raw file."
+    assert kx.sentence == "kx did not change: both records come from the same raw data."
 
 
 @pytest.mark.parametrize(
     ("second", "sha256", "conclusion"),
     [
-        ({}, "aa", "No change: both records come from one raw file."),
-        ({"value": 1.1}, "aa", "Both records come from one raw file: this is what the analysis changed."),
+        ({}, "aa", "No change: both records come from the same raw data."),
+        ({"value": 1.1}, "aa", "Both records come from the same raw data: this is what the analysis changed."),
         ({}, "bb", "Not significant (p = 1; 0.05 is asked for)."),
         ({"value": 2.0}, "bb", "Significant (p = 0)."),
         ({"value": 2.0, "standard_uncertainty": 0.0}, "bb", ""),

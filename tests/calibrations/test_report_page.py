@@ -204,7 +204,7 @@ def test_without_limits_there_is_no_verdict():
 def test_inside_the_limits_the_verdict_says_so():
     limits = [limit("kx", 0.95, 1.05, True)]
     assert front(reversed_(), limits)["verdict"] == "Inside the limits"
-    assert "0.95 to 1.05 V/g inside" in section("results", reversed_(), limits)
+    assert "950 to 1050 mV/g inside" in section("results", reversed_(), limits)
 
 
 @pytest.mark.parametrize(

@@ -72,7 +72,7 @@ def test_what_a_record_does_not_know_is_a_line_of_the_budget():
         if line.kind == "B"
     ]
 
-    assert (line.name, line.symbol) == ("stand record 3", "2 coefficients of 1 terms, correlated")
+    assert (line.name, line.symbol) == ("stand record 3", "2 coefficients of 1 term, correlated")
     assert line.contributions["u0"] > 0
 
 

@@ -157,7 +157,7 @@ def test_a_table_of_runs_is_known_by_its_temperature_and_by_having_no_angle(tmp_
     ("text", "said"),
     [
         ("run,sensor_degC\n1,20\n2,30\n3,40\n4,50\n", "no parameter beside the temperature"),
-        ("sensor_degC,a_V\n20,1\n20,1\n20,1\n20,1\n", "4 runs at 1 temperatures"),
+        ("sensor_degC,a_V\n20,1\n20,1\n20,1\n20,1\n", r"so few runs \(4\) at so few temperatures \(1\)"),
         ("sensor_degC,a_V\n20,1\n30,one\n40,1\n50,1\n", "line 3, column a_V: 'one' is not a number"),
         ("sensor_degC,a_V\n20,1\n30,nan\n40,1\n50,1\n", "line 3, column a_V: nan is no value"),
         ("sensor_degC,a_V\n20,1\n30,1e200\n40,1\n50,1\n", "line 3, column a_V: 1e200 is no value"),

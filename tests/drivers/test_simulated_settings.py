@@ -80,7 +80,7 @@ def test_every_name_of_the_catalogue_can_be_injected():
         ({"effects": {"graduation": {"order": 2, "amplitude_deg": 0.1}}}, "greater than or equal to 3"),
         (
             {"effects": {"misreading": {"rows": [1, 2], "error_deg": [1.0]}}},
-            "misreading names 2 rows but 1 errors",
+            "misreading names 2 rows but 1 error",
         ),
         ({"response": "a.py:b", "effects": {"k_xx": 1e-4}}, r"effects of the unit \(k_xx\)"),
     ],

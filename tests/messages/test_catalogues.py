@@ -155,3 +155,60 @@ def test_german_has_one_word_for_stand_file_stand_record_and_store(word):
     strings = [text for message in translated("de") for text in wordings(message.string)]
 
     assert [text for text in strings if word in text] == []
+
+
+NEVER_ONE = {
+    "{length} characters": "said of what is too long",
+    "{samples} samples at": "said of what is too many",
+    "of {angles} angles those": "said of more than are listed",
+    "comes back {count} times": "asked only where a pose comes back",
+    "{turns} turns for one": "asked only where they are more",
+}
+"""Parts of keys that have a number before a plural, and why that number is never one."""
+BOUNDS = ("most", "fewest", "tries", "attempts")
+"""Fields with numbers that the program sets, none of which is one."""
+
+
+def words(text):
+    return re.findall(r"[a-z]+", re.sub(r"\{[^}]*\}", " ", text))
+
+
+def counted_nouns(source):
+    """What is counted anywhere, in the plural."""
+    pairs = [key for key in source if not isinstance(key, str)]
+    return {word for one, many in pairs for word in set(words(many)) - set(words(one)) if word.endswith("s")}
+
+
+def wrongly_plural(key, nouns):
+    """Whether a key would read `1 points`; a number with a format is a measure, or has thousands."""
+    counted = any(field not in BOUNDS and noun in nouns for field, noun in _pairs(key))
+    return counted and not any(part in key for part in NEVER_ONE)
+
+
+def _pairs(key):
+    """Every field with the word after it, and with the one after that."""
+    for field, first, second in re.findall(r"\{(\w+)\} ([a-z]+)(?: ([a-z]+))?\b", key):
+        yield field, first
+        if first != "and":
+            yield field, second
+
+
+def test_what_is_counted_has_a_wording_for_one(source):
+    nouns = counted_nouns(source)
+    assert {"points", "rows", "dwells", "samples", "times", "settings", "records"} <= nouns
+    assert [key for key in source if isinstance(key, str) and wrongly_plural(key, nouns)] == []
+
+
+@pytest.mark.parametrize(
+    ("key", "wrong"),
+    [
+        ("The run goes on; {points} points are there", True),
+        ("{rows} usable rows are too few", True),
+        ("{rows:,} rows are too many", False),
+        ("row {row} and rows like it", False),
+        ("its output turns {factor:g} times as far", False),
+        ("points: {count}", False),
+    ],
+)
+def test_a_number_before_a_plural_is_noticed(key, wrong):
+    assert wrongly_plural(key, {"points", "rows", "times"}) is wrong

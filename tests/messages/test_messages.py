@@ -60,9 +60,9 @@ def test_an_empty_text_stays_empty(language):
     assert Message("").in_language(language) == ""
 
 
-@pytest.mark.parametrize(("count", "text"), [(0, "0 rows"), (1, "1 row"), (2, "2 rows")])
+@pytest.mark.parametrize(("count", "text"), [(0, "0 gnomes"), (1, "1 gnome"), (2, "2 gnomes")])
 def test_number_chooses_the_wording(count, text):
-    message = Message.counted("{count} row", "{count} rows", count=count)
+    message = Message.counted("{count} gnome", "{count} gnomes", count=count)
     assert message == text
     assert message.in_language(Language.GERMAN) == text
 
@@ -98,6 +98,7 @@ def test_a_name_of_a_document_stays_itself_in_english_and_is_worded_in_another_l
     assert said == said.in_language(Language.ENGLISH) == "none of scale_drift"
     assert scale_drift.in_language(Language.GERMAN) == "Drift des Skalenfaktors"
     assert scale_drift.worded(Language.ENGLISH) == "scale factor drift"
+    assert said.worded(Language.ENGLISH) == "none of scale factor drift"
 
 
 def test_a_name_that_lost_its_wording_finds_it_again(scale_drift):

@@ -105,7 +105,7 @@ def test_its_loop_acts_with_its_experiment(bench):
     assert loop["ended"]["how"] == "told apart"
     (effect,) = loop["effects"]
     assert effect["coefficients"]["drift_V_per_h"]["value"] == pytest.approx(2e-5 * 3600.0, rel=0.01)
-    assert "1 of 1 records agree" in tumble("records", "verify", loop["record"], "--store", "s").out
+    assert "1 of 1 record agrees" in tumble("records", "verify", loop["record"], "--store", "s").out
 
 
 @pytest.fixture

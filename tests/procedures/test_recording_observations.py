@@ -72,9 +72,9 @@ def test_a_cut_recording_is_not_complete_and_says_so(tmp_path):
     [
         (
             [RunFinished(reason=FinishReason.STOPPED, message="stopped", at_standstill=True)],
-            "holds a run that ended early (stopped by the operator); its 1 complete points are used",
+            "holds a run that ended early (stopped by the operator); its 1 complete point is used",
         ),
-        ([], "holds no end of the run; its 1 complete points are used"),
+        ([], "holds no end of the run; its 1 complete point is used"),
     ],
 )
 def test_a_run_that_ended_early_is_not_complete_and_says_so(tmp_path, events, warning):

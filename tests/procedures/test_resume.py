@@ -157,7 +157,7 @@ def test_a_recording_of_another_programme_is_refused_before_anything_moves(stand
         stand.engine().resume(SWEEP.procedure, points)
     assert str(raised.value) == (
         f"the recorded run does not belong to this programme: where it has {seen}, the programme has point 1 (sweep, "
-        "realisation 1, face-up at 5 deg) after 1 points; resume it with the programme that it was begun with"
+        "realisation 1, face-up at 5 deg) after 1 point; resume it with the programme that it was begun with"
     )
     assert stand.sink.events == []
     assert stand.head.targets_deg == []

@@ -96,7 +96,8 @@ POPUPS = {
     "menu of a field": _context_menu("run", lambda window: window.run.form.serial),
     "menu of the log": _context_menu("run", lambda window: window.run.view.log.viewport()),
     "menu of a plot": _plot_menu,
-    "menu of a label": _context_menu("stand", lambda window: window.stand.cards.cards["head"].cell("driver")),
+    "menu of a card": _context_menu("stand", lambda window: window.stand.cards.cards["head"]),
+    "menu of a table": _context_menu("records", lambda window: window.records.table.viewport()),
 }
 """Each is called with the driver, and opens what takes keyboard and mouse to itself."""
 
@@ -107,6 +108,7 @@ SOURCES = {
     ("beginning.py", "QuestionDialog"),
     ("way_out.py", "QuestionDialog"),
     ("plots/menu.py", "QMenu"),
+    ("widgets/action_menu.py", "QMenu"),
     ("plots/saving.py", "FileDialog"),
     ("screens/stand.py", "FileDialog"),
     ("screens/stand_editor.py", "FileDialog"),

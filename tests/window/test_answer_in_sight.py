@@ -2,6 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QPoint, QSettings
+from PySide6.QtWidgets import QAbstractSlider
 
 SMALL = (1264, 760)
 """1280 × 800 without the frame of a window manager."""
@@ -46,3 +47,44 @@ def test_the_button_stays_in_sight_when_there_are_more_words(small):
     small.run.view.unit.say("Take the unit off the stand, and put SN-2 in its place, with its cable to the left. " * 2)
     small.wait(lambda: small.run.view.unit.confirm.mapTo(area(small).widget(), QPoint(0, 0)).y() > SMALL[1], 10)
     small.wait(lambda: in_sight(small.run.view.unit.confirm), 10)
+
+
+@pytest.fixture
+def read_above(small):
+    """Somebody who has gone back up to read, while a question waits."""
+    small.run.view.ask_unit("SN-2")
+    small.wait(lambda: in_sight(small.run.view.unit.confirm), 10)
+    bar = area(small).verticalScrollBar()
+    bar.triggerAction(QAbstractSlider.SliderAction.SliderToMinimum)
+    assert not in_sight(small.run.view.unit.confirm)
+    return small, bar
+
+
+def settled(driver):
+    return driver.wait(lambda: not driver.run.view.unit._laid_out.isActive(), 10)
+
+
+def test_whoever_has_scrolled_by_hand_stays_there_when_the_words_change(read_above):
+    small, bar = read_above
+    small.run.view.unit.say("The head is at 330°, turn to 0°")
+    settled(small)
+    assert bar.value() == 0
+
+
+def test_the_next_question_comes_with_its_answer_again(read_above):
+    small, _ = read_above
+    small.run.view.ask_nothing()
+    small.run.view.ask_unit("SN-3")
+    small.wait(lambda: in_sight(small.run.view.unit.confirm), 10)
+
+
+def test_whoever_writes_above_is_left_there(small):
+    bar = area(small).verticalScrollBar()
+    small.window.activateWindow()
+    small.wait(small.window.isActiveWindow)
+    small.type("SN-7", small.run.form.serial)
+    bar.setValue(0)
+    small.run.view.ask_unit("SN-2")
+    settled(small)
+    assert bar.value() == 0
+    small.run.form.serial.setText("")

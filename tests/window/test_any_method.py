@@ -198,7 +198,7 @@ def test_its_result_is_shown_by_parameters_and_sections(driver, tmp_path):
     measure(driver, tmp_path)
     result = driver.window.result
     bias, scale = result.table.texts()
-    assert bias[2:] == [bias[2], "up to -1 V", "fail", "", "-2.0 to 2.0 mV", "1.0 mV", "", ""]
+    assert bias[2:] == [bias[2], "up to -1000 mV", "fail", "", "-2.0 to 2.0 mV", "1.0 mV", "", ""]
     assert (scale[0], scale[2]) == ("scale", "not identifiable")
     assert result.table.reasons.text() == "scale is not identifiable: there is one position"
     assert result.verdict.text() == "✗ Outside the limits: bias"

@@ -100,6 +100,10 @@ def test_a_card_is_reached_by_tab_and_copied_as_text(cards, qtbot):
     cards.show_identity("head", HEAD)
     head = cards.cards["head"]
     assert head.focusPolicy() & Qt.FocusPolicy.TabFocus
+    cards.show()
+    cards.activateWindow()
+    qtbot.waitUntil(cards.isActiveWindow)
+    head.setFocus()
     qtbot.keyClick(head, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     assert QGuiApplication.clipboard().text().splitlines()[:5] == [
         "Dividing head",

@@ -1,5 +1,6 @@
 """Records of several methods in one list."""
 
+from dataclasses import replace
 from datetime import datetime
 from types import SimpleNamespace
 
@@ -8,6 +9,7 @@ from records_examples import provenance
 from test_records_any_method import pendulum
 
 from tumble.app.headline import chosen
+from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.records.store import Store
 from tumble.window.look.moments import day_text
 
@@ -116,3 +118,29 @@ def test_units_in_a_trend_are_told_apart_by_a_key(records):
     trend.parameter.setCurrentText("period")
     assert [unit in trend.key for unit in ("P-1", "P-2", "C-1")] == [True, True, False]
     assert len({point.brush().color().name() for point in trend._marks.points()}) == 2
+
+
+def limited(record, minimum, maximum):
+    return replace(record, limits=(LimitCheck(name="period", minimum=minimum, maximum=maximum, inside=True),))
+
+
+def test_a_trend_shows_the_limits_of_the_newest_record(records):
+    trend = records.trend
+    pendulums = [each for each in records.records if each.method == "pendulum"]
+    first, second = sorted(pendulums, key=lambda each: each.provenance.measured_at)
+    trend.show_records((limited(first, 1.0, 3.0), limited(second, 1.5, 2.5)))
+    trend.parameter.setCurrentText("period")
+    assert [(line.value(), line.isVisible()) for line in trend._limits] == [(1.5, True), (2.5, True)]
+    assert trend.key.endswith("limits 1.5 to 2.5 s")
+    trend.show_records((limited(first, 1.0, 3.0), second))
+    assert [line.isVisible() for line in trend._limits] == [False, False]
+    assert "limits" not in trend.key
+
+
+def test_a_trend_goes_over_stands(records):
+    trend = records.trend
+    trend.parameter.setCurrentText("period")
+    trend.over.setCurrentText("stands")
+    stand = records.records[-1].provenance.stand_name
+    assert trend.plot.getAxis("bottom")._tickLevels == [[(0, stand)]]
+    trend.over.setCurrentText("time")

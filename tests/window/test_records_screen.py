@@ -243,6 +243,9 @@ def test_enter_opens_the_record_that_is_chosen(measured):
 def test_a_row_is_copied_whole(measured):
     table = measured.window.records.table
     table.selectRow(1)
+    measured.window.activateWindow()
+    measured.wait(measured.window.isActiveWindow)
+    table.setFocus()
     measured.press(Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier, at=table)
     assert QGuiApplication.clipboard().text().split("\t")[:2] == ["A-1", "tiny"]
 

@@ -36,3 +36,13 @@ def test_redrawing_keeps_no_further_symbol(qtbot, qapp):
         plot.draw_series({"u": (np.arange(points), np.arange(points))})
         plot.grab()
     assert len(plot.listDataItems()[0].scatter.fragmentAtlas) == 1
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "lines", "numbers"),
+    [(-290.0, 290.0, 2.5, [-160.0, 160.0]), (-180.0, 180.0, 2.4, [-100.0, 100.0])],
+)
+def test_a_low_plot_has_two_numbers_on_its_ordinate(qapp, low, high, lines, numbers):
+    axis = LocalAxis("left")
+    (_, written), *_ = axis.tickValues(low, high, lines * QFontMetricsF(axis.font()).height())
+    assert written == pytest.approx(numbers)

@@ -85,3 +85,16 @@ def test_the_last_column_wraps_where_it_has_room_and_is_scrolled_to_where_not(qt
     table.resize(150, 300)
     qtbot.waitUntil(lambda: table.columnWidth(1) > 500)
     assert table.horizontalScrollBar().maximum()
+
+
+def test_the_last_column_wraps_again_once_it_has_room_again(qtbot):
+    table = Table(("first", "last"))
+    qtbot.addWidget(table)
+    table.fill([("x" * 30, "one word after the other " * 10)])
+    table.resize(150, 200)
+    table.show()
+    qtbot.waitUntil(lambda: not table.horizontalHeader().stretchLastSection())
+    table.resize(900, 200)
+    qtbot.waitUntil(table.horizontalHeader().stretchLastSection)
+    qtbot.waitUntil(lambda: table.horizontalScrollBar().maximum() == 0)
+    assert table.columnWidth(0) + table.columnWidth(1) <= table.viewport().width()

@@ -154,6 +154,6 @@ def test_every_step_is_listed_with_what_is_done(driver, long):
     driver.wait(lambda: driver.run.course.now.paused)
     texts, done = driver.run.view.steps.texts(), len(driver.run.view.points)
     assert len(texts) == 601
-    assert texts[0].startswith("✓ 1  seat the unit in face-up")
-    assert texts[1].startswith("✓ 2  face-up at 0°")
+    assert texts[0].startswith("✓ 1  seat the unit in face up")
+    assert texts[1].startswith("✓ 2  face up at 0°")
     assert [text[0] for text in texts[done : done + 3]] == ["✓", "▶", "·"]

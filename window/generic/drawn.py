@@ -1,30 +1,14 @@
 """A result with its figures, drawn where that keeps nobody waiting."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from tumble.calibrations.core.view import Section
 from tumble.window.generic.presenting import SectionPresentation
 from tumble.window.generic.presenting import present as present_sections
 from tumble.window.look.language import spoken
 from tumble.window.work.activity import Concluded
-from tumble.window.work.presentation import Presentation
-
-if TYPE_CHECKING:
-    from tumble.calibrations.report.layers import Sheet
-
-
-@dataclass(frozen=True, kw_only=True)
-class Drawn:
-    """A figure of the result."""
-
-    title: str
-    svg: str
-    """In the language of the window; empty where it is drawn as plots."""
-    caption: str
-    sheet: "Sheet | None" = None
-    """What there is to plot."""
+from tumble.window.work.presentation import Drawn, Presentation
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,8 +27,12 @@ def figures_of(presentation: Presentation) -> Sequence[Drawn]:
 def present(concluded: Concluded) -> DrawnPresentation:
     """Work out what there is to show."""
     plain = present_sections(concluded)
-    drawn = [_drawn(section) for section in plain.sections if section.figure]
-    return DrawnPresentation(**vars(plain), figures=tuple(drawn))
+    return DrawnPresentation(**vars(plain), figures=drawn_of(plain.sections))
+
+
+def drawn_of(sections: Iterable[Section]) -> tuple[Drawn, ...]:
+    """The figures of those sections that have one."""
+    return tuple(_drawn(section) for section in sections if section.figure)
 
 
 def _drawn(section: Section) -> Drawn:

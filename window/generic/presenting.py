@@ -9,7 +9,6 @@ from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.quantities import (
     format_concise,
     format_interval,
-    format_limits,
     format_number,
     format_quantity,
 )
@@ -93,10 +92,16 @@ def _line(parameter: Parameter, check: LimitCheck | None, judged: Judgement | No
         standard=standard,
         note=parameter.condition,
         reason=parameter.reason if parameter.value is None else "",
-        limits=format_limits(check.minimum, check.maximum, parameter.unit) if check else "",
+        limits=_limits(parameter, check) if check else "",
         verdict=judged.outcome.words if judged else "",
         outcome=judged.outcome if judged else Outcome.NO_LIMITS,
     )
+
+
+def _limits(parameter: Parameter, check: LimitCheck) -> str:
+    from tumble.calibrations.report.values import limits_text  # a report takes time: a window is up before that
+
+    return limits_text(parameter, check)
 
 
 def _numbers(parameter: Parameter) -> tuple[str, str, str]:

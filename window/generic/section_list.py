@@ -20,7 +20,7 @@ _SELECTED: Final = Qt.TextInteractionFlag.TextSelectableByMouse | Qt.TextInterac
 
 
 class SectionList(QScrollArea):
-    """Heading, sentences and table of each; figures are in the report."""
+    """Heading, sentences and table of each; figures, and what is said of them, are in the report."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -42,11 +42,13 @@ class SectionList(QScrollArea):
         self.setWidget(content)
 
     def _add(self, section: Section, column: QVBoxLayout) -> None:
-        title = QLabel(in_language(section.title))
-        title.setObjectName("heading")
-        column.addWidget(title)
-        if section.lines:
-            said = PlainLabel("\n".join(map(in_language, section.lines)))
+        if section.title:
+            title = QLabel(in_language(section.title))
+            title.setObjectName("heading")
+            column.addWidget(title)
+        explained = [section.caption] if section.caption and not section.figure else []
+        if sentences := [*section.lines, *explained]:
+            said = PlainLabel("\n".join(map(in_language, sentences)))
             said.setWordWrap(True)
             column.addWidget(said)
         if section.rows:

@@ -50,14 +50,30 @@ class LocalAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph is not typed
         return [localised(text, language) for text in super().tickStrings(values, scale, spacing)]
 
     def tickSpacing(self, minVal: float, maxVal: float, size: float) -> list[tuple[float, float]]:  # noqa: N802, N803
-        """Steps between ticks and where they begin, the widest first, which has room for a line of text."""
+        """Steps between ticks and where they begin, the widest first, which has room for a line of text.
+
+        Where only one number would be left of these, two are written that are no multiples of the step.
+        """
         steps: list[tuple[float, float]] = super().tickSpacing(minVal, maxVal, size)
         line = QFontMetricsF(self.style["tickFont"] or self.font()).height()
         least = line * (maxVal - minVal) / max(size, 1.0)
         widest = steps[0][0]
         if self.orientation == "bottom" or widest >= least:
             return steps
-        return [(widest * math.ceil(least / widest), 0.0), *steps]
+        step = widest * math.ceil(least / widest)
+        if math.floor(maxVal / step) > math.ceil(minVal / step):
+            return [(step, 0.0), *steps]
+        return [_outermost(minVal, maxVal, least, widest) or (step, 0.0), *steps]
+
+
+def _outermost(low: float, high: float, least: float, step: float) -> tuple[float, float] | None:
+    """Distance and place of two round numbers near the ends of an axis, half a line away, where these lie apart."""
+    for each in (step, step / 2.0, step / 5.0, step / 10.0):
+        first = each * math.ceil((low + least / 2.0) / each)
+        last = each * math.floor((high - least / 2.0) / each)
+        if last - first >= least:
+            return last - first, first
+    return None
 
 
 class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed

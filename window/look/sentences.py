@@ -42,7 +42,13 @@ def sentence_of(event: Event, words: ConditionWords) -> str:
             answer = event.answer or tr("as set")
             said = tr("Set to {setting}; read: {answer}.", setting=format_dms(event.setting_deg), answer=answer)
         case RunResumed():
-            said = tr("The run goes on; {points} points are there already.", points=event.points)
+            said = in_language(
+                Message.counted(
+                    "The run goes on; {count} point is there already.",
+                    "The run goes on; {count} points are there already.",
+                    count=event.points,
+                )
+            )
         case RetakeBegun() | PointVerified():
             said = _taken_again(event)
         case StateChanged(state=State.PAUSED | State.STANDSTILL):
@@ -89,10 +95,11 @@ def state_name(state: State) -> str:
 
 
 def plan_text(plan: Plan) -> str:
-    """What a programme takes: points, mountings, time."""
+    """What a programme takes: points, mountings where there are any, time."""
+    mountings = Message.counted("{count} mounting", "{count} mountings", count=plan.requests)
     parts = (
         Message.counted("{count} point", "{count} points", count=plan.dwells),
-        Message.counted("{count} mounting", "{count} mountings", count=plan.requests),
+        *((mountings,) if plan.requests else ()),
         Message("about {time}", time=minutes(plan.duration_s)),
     )
     return in_language(Message.joined(", ", parts))
@@ -110,5 +117,8 @@ def stopped_text(points: int) -> str:
 
 
 def in_language(text: str) -> str:
-    """A message, or a text that is a key of the catalogue, in the language of the window; any other as it is."""
-    return local(translate(text, spoken()))
+    """A message, or a text that is a key of the catalogue, in the language of the window; any other as it is.
+
+    What documents call by a name is called in words.
+    """
+    return local(text.worded(spoken()) if isinstance(text, Message) else translate(text, spoken()))

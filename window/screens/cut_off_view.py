@@ -1,13 +1,16 @@
-"""Runs that came to no record, and going on with one of them."""
+"""Runs that came to no record, and what becomes of one of them."""
 
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Signal, SignalInstance
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from tumble.window.look.language import tr
 from tumble.window.look.sentences import in_language
+from tumble.window.widgets.action_menu import ActionButton
+from tumble.window.widgets.folding_row import FoldingRow, buttons_at_left, buttons_beside
 from tumble.window.widgets.motion_button import MotionButton
 from tumble.window.widgets.table import Table
 
@@ -16,10 +19,14 @@ if TYPE_CHECKING:
 
 
 class CutOffView(QWidget):
-    """A table, and a button that goes on with the run that is chosen."""
+    """A table, and buttons for the run that is chosen; its menu lacks what starts motion, since Enter chooses there."""
 
     resume_wanted = Signal(object)
     """Path of the recording."""
+    analysis_wanted = Signal(object)
+    """The same, to be analysed as far as it goes."""
+    discard_wanted = Signal(object)
+    """The same, of no use to anybody."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -27,11 +34,17 @@ class CutOffView(QWidget):
         self._allowed = True
         self.table = Table((tr("unit"), tr("method"), tr("programme"), tr("points"), tr("ended"), tr("recording")))
         self.resume_button = MotionButton(tr("Go on with it"), "F7")
-        self.resume_button.clicked.connect(self._resume)
+        self.resume_button.clicked.connect(partial(self._want, self.resume_wanted))
+        self.analyse_button = self._button(tr("Analyse as it is"), self.analysis_wanted)
+        self.discard_button = self._button(tr("Discard…"), self.discard_wanted)
         self.table.itemSelectionChanged.connect(self._refresh)
+        others = buttons_beside((self.analyse_button, self.discard_button))
         layout = QVBoxLayout(self)
         layout.addWidget(self.table, stretch=1)
-        layout.addWidget(self.resume_button)
+        layout.addWidget(FoldingRow((buttons_at_left((self.resume_button,)), others)))
+
+    def _button(self, text: str, wanted: SignalInstance) -> ActionButton:
+        return ActionButton(self.table.offer(text, partial(self._want, wanted)))
 
     def show_runs(self, runs: "tuple[CutOff, ...]", titles: Mapping[str, str]) -> None:
         """Show other runs, the newest one chosen, with the `titles` of methods by name."""
@@ -59,8 +72,11 @@ class CutOffView(QWidget):
         self._refresh()
 
     def _refresh(self) -> None:
-        self.resume_button.setEnabled(self._allowed and len(self.table.chosen) == 1)
+        has_one = len(self.table.chosen) == 1
+        self.resume_button.setEnabled(self._allowed and has_one)
+        for button in (self.analyse_button, self.discard_button):
+            button.action.setEnabled(has_one)
 
-    def _resume(self) -> None:
+    def _want(self, wanted: SignalInstance, _checked: bool = False) -> None:
         for row in self.table.chosen[:1]:
-            self.resume_wanted.emit(self._runs[row].path)
+            wanted.emit(self._runs[row].path)

@@ -1,4 +1,4 @@
-"""The closed loop: what was found, the next experiment, before and after, and what is not identifiable."""
+"""The closed loop: what was found, the next experiment, before and after in numbers and pictures, what is left open."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -7,11 +7,13 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QLabel, QListWidget, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
 from tumble.calibrations.core.sentences import series
+from tumble.window.generic.figure_list import FigureColumn
 from tumble.window.look.language import tr
 from tumble.window.look.names import effect_name
 from tumble.window.look.numbers import local, minutes
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
+from tumble.window.widgets.folding_row import buttons_at_left
 from tumble.window.widgets.motion_button import MotionButton
 from tumble.window.widgets.table import Table
 from tumble.window.work.presentation import LoopSummary
@@ -41,7 +43,7 @@ class LoopView(QScrollArea):
             )
         )
         self.comparisons = Table(("", tr("declared model"), tr("with what was found"), tr("change")))
-        self.not_identifiable = _wrapped()
+        self.figures, self.not_identifiable = FigureColumn(), _wrapped()
         self.experiments = QListWidget()
         self.experiments.setWordWrap(True)
         self.experiments.setSizeAdjustPolicy(QListWidget.SizeAdjustPolicy.AdjustToContents)
@@ -65,7 +67,8 @@ class LoopView(QScrollArea):
             layout.addWidget(title)
             layout.addWidget(part)
             if part is self.experiments:
-                layout.addWidget(self.run_button)
+                layout.addWidget(buttons_at_left((self.run_button,)))
+        layout.addWidget(self.figures)
         layout.addWidget(self.not_identifiable)
         layout.addStretch(1)
         self.setWidget(page)
@@ -89,6 +92,8 @@ class LoopView(QScrollArea):
             ]
         )
         self.comparisons.fill([tuple(map(in_language, line)) for line in loop.comparisons])
+        self.figures.show_figures(loop.figures)
+        self.figures.setVisible(bool(loop.figures))
         self.findings.show_whole()
         self.comparisons.show_whole()
         reasons = [
@@ -129,6 +134,10 @@ class LoopView(QScrollArea):
         return self._experiments[row].programme if 0 <= row < len(self._experiments) else ""
 
     def _refresh(self) -> None:
+        row = self.experiments.currentRow()
+        if chosen := self._chosen():
+            time = minutes(self._experiments[row].stand_time_s)
+            self.run_button.entitle(tr("Run {programme}, about {time}", programme=chosen, time=time))
         self.run_button.setEnabled(self._allowed and bool(self._chosen()))
 
     def _run(self) -> None:

@@ -18,6 +18,7 @@ from tumble.window.screens.cut_off_view import CutOffView
 from tumble.window.screens.exporting import Exporting
 from tumble.window.screens.record_preview import RecordPreview
 from tumble.window.screens.stand_records import StandRecords
+from tumble.window.widgets.action_menu import ActionButton
 from tumble.window.widgets.comparison_table import ComparisonTable
 from tumble.window.widgets.dialog import FileDialog, QuestionDialog
 from tumble.window.widgets.folding_row import FoldingRow, buttons_at_left, buttons_beside
@@ -69,20 +70,23 @@ class RecordsScreen(QWidget):
         self.said, self.more = PlainLabel(), PlainLabel()
         self.more.hide()
         self.tabs = QTabWidget()
-        self.open_button = self._button(tr("&Open"), self._open)
-        self.compare_button = self._button(tr("&Compare two"), self._compare)
-        self.verify_button = self._button(tr("Ver&ify"), self._verify)
-        self.again_button = self._button(tr("&Analyse again"), self._analyse_again)
-        self.export_button = self._button(tr("&Export…"), self._choose_export)
-        self.file_button = self._button(tr("From a &file…"), self._choose_file)
+        self.open_button = ActionButton(self.table.offer(tr("&Open"), self._open))
+        self.compare_button = ActionButton(self.table.offer(tr("&Compare two"), self._compare))
+        self.verify_button = ActionButton(self.table.offer(tr("Ver&ify"), self._verify))
+        self.again_button = ActionButton(self.table.offer(tr("&Analyse again"), self._analyse_again))
+        self.export_button = ActionButton(self.table.offer(tr("&Export…"), self._choose_export))
+        self.file_button = QPushButton(tr("From a &file…"))
         self._exporting = Exporting(self)
         self._lay_out()
         self._exporting.dialog_wanted.connect(self.dialog_wanted)
         self._exporting.wanted.connect(self.export_to)
+        self.file_button.clicked.connect(self._choose_file)
         self.search.changed.connect(self.look)
         self.table.itemActivated.connect(lambda _: self._open())
         self.table.itemSelectionChanged.connect(self._show_chosen)
         self.cut_off.resume_wanted.connect(self.resume)
+        self.cut_off.analysis_wanted.connect(self.analyse_cut_off)
+        self.cut_off.discard_wanted.connect(self.discard)
         self._rest.setSingleShot(True)
         self._rest.timeout.connect(self._draw_trend)
         self.shown.connect(self._rest.start)
@@ -130,11 +134,6 @@ class RecordsScreen(QWidget):
         parts = Splitter(Qt.Orientation.Vertical, (listed, self.tabs), (3, 2))
         layout.addWidget(SidePane(parts, self.tabs, self.preview, tr("In short")), stretch=1)
 
-    def _button(self, text: str, do: Callable[[], None]) -> QPushButton:
-        button = QPushButton(text)
-        button.clicked.connect(lambda _checked: do())
-        return button
-
     def _show(self, found: store.Found) -> None:
         self.records = tuple(line.record for line in found.lines)
         self.table.show_lines(found.lines)
@@ -175,9 +174,9 @@ class RecordsScreen(QWidget):
     def _refresh_buttons(self) -> None:
         count = len(self.table.chosen)
         for button in (self.open_button, self.again_button, self.export_button):
-            button.setEnabled(count == 1)
-        self.compare_button.setEnabled(count == 2)
-        self.verify_button.setEnabled(count > 0)
+            button.action.setEnabled(count == 1)
+        self.compare_button.action.setEnabled(count == 2)
+        self.verify_button.action.setEnabled(count > 0)
 
     def _start(self, function: Callable[[], object], done: Callable[..., None]) -> None:
         self.said.setText(tr("One moment…"))

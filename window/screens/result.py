@@ -8,7 +8,7 @@ from typing import Final
 
 from PySide6.QtCore import QUrl, Signal
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
 
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand, same_instruments
@@ -25,6 +25,7 @@ from tumble.window.look.tints import AMBER, GREEN, GREY, RED, Tint
 from tumble.window.parts import ResultTab
 from tumble.window.registry import window_part
 from tumble.window.screens.loop_view import LoopView
+from tumble.window.widgets.action_menu import ActionButton
 from tumble.window.widgets.banner import Banner
 from tumble.window.widgets.correlation_table import CorrelationTable
 from tumble.window.widgets.values_table import ValuesTable
@@ -52,14 +53,13 @@ class ResultScreen(QWidget):
         self.presentation: Presentation | None = None
         self.banner = Banner()
         self.verdict, self._subject, self._notices = PlainLabel(), PlainLabel(), PlainLabel()
-        self.report_button = QPushButton(tr("Open the &report"))
         self.table = ValuesTable()
+        self.report_button = ActionButton(self.table.table.offer(tr("Open the &report"), self._open_report))
         self.correlation, self.loop = CorrelationTable(), LoopView()
         self.tabs, self._part = QTabWidget(), window_part(FIRST)
         self._own: Sequence[ResultTab] = ()
         """Tabs of the method that is shown."""
         self._lay_out()
-        self.report_button.clicked.connect(self._open_report)
         self.loop.experiment_wanted.connect(self._run_experiment)
         self._show_nothing()
 
@@ -76,7 +76,7 @@ class ResultScreen(QWidget):
         for part in (self.banner, self._subject, self._notices):
             part.hide()
         self.verdict.setText(tr("There is no result yet: run a programme, or open a record."))
-        self.report_button.setEnabled(False)
+        self.report_button.action.setEnabled(False)
         self.tabs.setEnabled(False)
 
     def _show(self, presentation: Presentation) -> None:
@@ -130,7 +130,7 @@ class ResultScreen(QWidget):
         self._notices.setVisible(bool(notices))
         if notices and presentation.verdict.outcome is Outcome.NO_LIMITS:
             self.verdict.setText(tr("The programme states no limits; read the warnings before you use a value"))
-        self.report_button.setEnabled(concluded.report is not None)
+        self.report_button.action.setEnabled(concluded.report is not None)
 
     def _verdict_text(self, verdict: Verdict) -> str:
         """What is decided, and of which model where that is not the declared one."""
@@ -153,7 +153,7 @@ class ResultScreen(QWidget):
         for title, part in (
             (tr("Parameters"), self.table),
             (tr("Correlations"), self.correlation),
-            (tr("Closed loop"), self.loop),
+            (tr("Effects"), self.loop),
         ):
             self.tabs.addTab(part, title)
         self._take_tabs_of(FIRST)

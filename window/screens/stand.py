@@ -1,10 +1,11 @@
 """The screen Stand: what is connected, where the head is, and turning it."""
 
+from collections.abc import Callable
 from html import escape
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Signal
-from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtGui import QAction, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from tumble.app.stand import LoadedStand, load_stand
@@ -18,6 +19,7 @@ from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.screens.stand_editor import StandEditor
+from tumble.window.widgets.action_menu import ActionButton
 from tumble.window.widgets.column import Column
 from tumble.window.widgets.dialog import FileDialog
 from tumble.window.widgets.dials import Dials
@@ -51,16 +53,21 @@ class StandScreen(QWidget):
         """Whose stand is the one that is built in."""
         self._lost: set[str] = set()
         """Positioners that do not know their angle."""
-        self.dials, self.cards, self.jog = Dials(), InstrumentCards(), Jog()
+        self.connect_button = self._button(tr("&Connect"), lambda: worker.connect_to(self.attendant()))
+        self.disconnect_button = self._button(tr("&Disconnect"), worker.disconnect_from)
+        self.edit_button = self._button(tr("&Edit…"), self.edit)
+        offered = [each.action for each in (self.connect_button, self.disconnect_button, self.edit_button)]
+        self.dials, self.cards, self.jog = Dials(), InstrumentCards(offered), Jog()
         self.simulation = SimulationSettings()
-        self.connect_button, self.disconnect_button = (
-            QPushButton(tr("&Connect")),
-            QPushButton(tr("&Disconnect")),
-        )
         self._name, self._notice, self.editor = QLabel(), PlainLabel(), StandEditor()
         self._lay_out()
         self._connect(bridge)
         self._show_stand(self.loaded)
+
+    def _button(self, text: str, do: Callable[[], None]) -> ActionButton:
+        action = QAction(text, self)
+        action.triggered.connect(lambda _checked: do())
+        return ActionButton(action)
 
     @property
     def loaded(self) -> LoadedStand:
@@ -113,8 +120,6 @@ class StandScreen(QWidget):
 
     def _connect(self, bridge: EventBridge) -> None:
         worker = self._worker
-        self.connect_button.clicked.connect(lambda: worker.connect_to(self.attendant()))
-        self.disconnect_button.clicked.connect(worker.disconnect_from)
         self.simulation.changed.connect(worker.disconnect_from)
         self.jog.step_wanted.connect(worker.move_by)
         self.jog.angle_wanted.connect(worker.move_to)
@@ -139,8 +144,6 @@ class StandScreen(QWidget):
         self._browse, self._built_in = QPushButton(tr("Stand &file…")), QPushButton(tr("&Built-in"))
         self._browse.clicked.connect(self._choose)
         self._built_in.clicked.connect(lambda: self.use(load_stand(None, self._method)))
-        self.edit_button = QPushButton(tr("&Edit…"))
-        self.edit_button.clicked.connect(self.edit)
         self._name.setWordWrap(True)
         self._notice.setWordWrap(True)
         self._notice.setObjectName("bad")
@@ -234,13 +237,13 @@ class StandScreen(QWidget):
 
     def _refresh(self) -> None:
         free = not self._worker.busy
-        for button in (self._browse, self._built_in, self.simulation):
-            button.setEnabled(free)
+        for part in (self._browse, self._built_in, self.simulation):
+            part.setEnabled(free)
         editing = not self.editor.isHidden()
         self.editor.allow(free)
-        self.edit_button.setEnabled(free and not editing and self.loaded.path is not None)
-        self.connect_button.setEnabled(free and not self._connected)
-        self.disconnect_button.setEnabled(free and self._connected)
+        self.edit_button.action.setEnabled(free and not editing and self.loaded.path is not None)
+        self.connect_button.action.setEnabled(free and not self._connected)
+        self.disconnect_button.action.setEnabled(free and self._connected)
         self.jog.setEnabled(free and self._connected and not self._by_hand)
 
 

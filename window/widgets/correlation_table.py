@@ -1,5 +1,6 @@
 """Correlations as a table whose colours say how strong they are: blue one way, orange the other."""
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
@@ -33,4 +34,5 @@ class CorrelationTable(QTableWidget):
                 tint = QColor(_BLUE if coefficient > 0 else _ORANGE)
                 tint.setAlphaF(min(abs(coefficient), 1.0) * 0.45)
                 item.setBackground(tint)
+                item.setTextAlignment(Qt.AlignmentFlag.AlignCenter)
                 self.setItem(row, column, item)

@@ -1,10 +1,11 @@
 """One instrument of a stand: whether it answers, until when its calibration holds, what it reads, and who it is."""
 
+from collections.abc import Sequence
 from datetime import UTC, date, datetime, timedelta
 from typing import Final
 
 from PySide6.QtCore import QDate, QLocale, Qt
-from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtGui import QAction, QContextMenuEvent, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from tumble.drivers.protocols import Identity
@@ -12,6 +13,7 @@ from tumble.drivers.tables import Instrument
 from tumble.window.look.language import tr
 from tumble.window.look.names import instrument_name
 from tumble.window.look.plain import PlainLabel
+from tumble.window.widgets.action_menu import open_menu
 from tumble.window.widgets.lamp import Lamp, Light
 from tumble.window.widgets.live_value import LiveValue
 
@@ -22,9 +24,14 @@ _EDGE_PX: Final = 6
 
 
 class InstrumentCard(QFrame):
-    """Lamps with their words on top; reached by Tab, and copied as text by the key that copies."""
+    """Lamps with their words on top; reached by Tab, and copied as text by the key that copies.
 
-    def __init__(self, name: str, *, reads: bool, parent: QWidget | None = None) -> None:
+    Its menu has that, and the actions of its stand that are `offered`.
+    """
+
+    def __init__(
+        self, name: str, *, reads: bool, offered: Sequence[QAction] = (), parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("card")
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
@@ -42,6 +49,11 @@ class InstrumentCard(QFrame):
             "address": tr("Address"),
         }
         self._lay_out()
+        copying = QAction(tr("Copy"), self)
+        copying.setShortcut(QKeySequence.StandardKey.Copy)
+        copying.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        copying.triggered.connect(self._copy)
+        self.addActions([copying, *offered])
 
     def show_table(self, table: Instrument) -> None:
         """Show what the stand file says."""
@@ -71,12 +83,13 @@ class InstrumentCard(QFrame):
         """Where something is said."""
         return self._cells[name]
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
-        """Copy everything that it says."""
-        if event.matches(QKeySequence.StandardKey.Copy):
-            QGuiApplication.clipboard().setText("\n".join(self._lines()))
-        else:
-            super().keyPressEvent(event)
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:  # noqa: N802  # Qt's name
+        """Show what can be done."""
+        open_menu(self, event)
+
+    def _copy(self) -> None:
+        """Everything that it says."""
+        QGuiApplication.clipboard().setText("\n".join(self._lines()))
 
     def _lines(self) -> list[str]:
         facts = [f"{title}: {self.text(name)}" for name, title in self._titles.items()]
@@ -98,6 +111,7 @@ class InstrumentCard(QFrame):
         for name, title in self._titles.items():
             cell = self._cells[name] = _label(_NONE, "")
             cell.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            cell.setContextMenuPolicy(Qt.ContextMenuPolicy.NoContextMenu)  # that of the card
             self._facts.addRow(_label(title, "pale"), cell)
         column.addLayout(top)
         column.addWidget(self.calibration)

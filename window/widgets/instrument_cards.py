@@ -1,9 +1,9 @@
 """The instruments of a stand, a card each, as many beside each other as have room."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QEvent, QSize
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from tumble.app.stand import LoadedStand
@@ -13,10 +13,14 @@ from tumble.window.widgets.live_value import LiveValue
 
 
 class InstrumentCards(QWidget):
-    """Asks for the width of its widest card, and for the height of its cards where they stand now."""
+    """Asks for the width of its widest card, and for the height of its cards where they stand now.
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    What is `offered` is in the menu of every card.
+    """
+
+    def __init__(self, offered: Sequence[QAction] = (), parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._offered = offered
         self.cards: dict[str, InstrumentCard] = {}
         """By name of the instrument."""
         self._identities: dict[str, Identity] = {}
@@ -107,7 +111,9 @@ class InstrumentCards(QWidget):
             self._grid.removeWidget(card)
             card.hide()  # it is deleted when the event loop comes to it
             card.deleteLater()
-        self.cards = {name: InstrumentCard(name, reads=reading) for name, reading in reads.items()}
+        self.cards = {
+            name: InstrumentCard(name, reads=reading, offered=self._offered) for name, reading in reads.items()
+        }
         self._columns = 0
         self._arrange()
 

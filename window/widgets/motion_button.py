@@ -15,9 +15,14 @@ class MotionButton(QPushButton):
 
     def __init__(self, text: str, usual_key: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.usual_key, self._title = usual_key, text
+        self.usual_key = usual_key
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setAutoDefault(False)
+        self.entitle(text)
+
+    def entitle(self, text: str) -> None:
+        """Say what it starts."""
+        self._title = text
         self.setAccessibleName(text)
         self.take_key()
 

@@ -1,23 +1,23 @@
 """The queue: which units are measured next, and what became of those before."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
 from tumble.window.look.verdicts import verdict_mark
+from tumble.window.widgets.action_menu import ActionButton
 from tumble.window.widgets.table import Ink, Table
 from tumble.window.work.run_queue import UNDER_WAY, Entry, Stage
 
 
 class QueueView(QWidget):
-    """A line for each run, in their order; what can be done with a line has a button and a key."""
+    """A line for each run, in their order; what can be done with a line is in its menu, and has a key."""
 
     move_wanted = Signal(str, int)
     """Id of an entry, and by how many places."""
@@ -36,15 +36,13 @@ class QueueView(QWidget):
         self.said = PlainLabel()
         self.said.setObjectName("heading")
         self.said.setWordWrap(True)
-        self.up_button = _button(tr("&Up"), "Alt+Up", lambda: self._move(-1))
-        self.down_button = _button(tr("&Down"), "Alt+Down", lambda: self._move(1))
-        self.remove_button = _button(tr("Re&move"), "Del", self._remove)
-        self.clear_button = _button(tr("Clea&r"), "", self.clear_wanted.emit)
+        self._opening = self.table.offer(tr("Open the record"), self._open)
+        self.up_button = ActionButton(self.table.offer(tr("&Up"), partial(self._move, -1), "Alt+Up"))
+        self.down_button = ActionButton(self.table.offer(tr("&Down"), partial(self._move, 1), "Alt+Down"))
+        self.remove_button = ActionButton(self.table.offer(tr("Re&move"), self._remove, "Del"))
+        self.clear_button = ActionButton(self.table.offer(tr("Clea&r"), self.clear_wanted.emit))
         self._lay_out()
-        self._listen_for("Alt+Up", partial(self._move, -1))
-        self._listen_for("Alt+Down", partial(self._move, 1))
-        self._listen_for("Del", self._remove)
-        self.table.itemActivated.connect(lambda _: self._open())
+        self.table.itemActivated.connect(lambda _: self._opening.trigger())
         self.table.itemSelectionChanged.connect(self._refresh)
         self._refresh()
 
@@ -83,19 +81,14 @@ class QueueView(QWidget):
         layout.addWidget(self.table, stretch=1)
         layout.addLayout(buttons)
 
-    def _listen_for(self, key: str, do: Callable[[], None]) -> None:
-        """Do something when a key is pressed in the table."""
-        shortcut = QShortcut(QKeySequence(key), self.table)
-        shortcut.setContext(Qt.ShortcutContext.WidgetShortcut)
-        shortcut.activated.connect(do)
-
     def _refresh(self) -> None:
         chosen = self.chosen
         waits = chosen is not None and chosen.stage is Stage.WAITING
         for button in (self.up_button, self.down_button):
-            button.setEnabled(waits)
-        self.remove_button.setEnabled(chosen is not None and chosen.stage not in UNDER_WAY)
-        self.clear_button.setEnabled(any(entry.stage not in UNDER_WAY for entry in self._entries))
+            button.action.setEnabled(waits)
+        self._opening.setEnabled(chosen is not None and bool(chosen.record_id))
+        self.remove_button.action.setEnabled(chosen is not None and chosen.stage not in UNDER_WAY)
+        self.clear_button.action.setEnabled(any(entry.stage not in UNDER_WAY for entry in self._entries))
 
     def _move(self, places: int) -> None:
         if self.chosen is not None:
@@ -108,13 +101,6 @@ class QueueView(QWidget):
     def _open(self) -> None:
         if self.chosen is not None and self.chosen.record_id:
             self.record_wanted.emit(self.chosen.record_id)
-
-
-def _button(text: str, key: str, do: Callable[[], None]) -> QPushButton:
-    button = QPushButton(text)
-    button.setToolTip(key)
-    button.clicked.connect(lambda _checked: do())
-    return button
 
 
 def _line(entry: Entry) -> tuple[str, ...]:

@@ -5,10 +5,10 @@ from contextlib import suppress
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from tumble.app.running import Job
-from tumble.app.stand import LoadedStand
+from tumble.app.stand import LoadedStand, load_stand
 from tumble.drivers.text import LONGEST_NAME
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import Programme
@@ -17,6 +17,7 @@ from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel, as_tooltip
 from tumble.window.look.sentences import in_language, plan_text
 from tumble.window.widgets.dialog import FileDialog
+from tumble.window.widgets.programme_box import ProgrammeBox
 
 
 class RunForm(QWidget):
@@ -34,7 +35,8 @@ class RunForm(QWidget):
     def __init__(self, stand: Callable[[], LoadedStand], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._stand = stand
-        self.serial, self.operator, self.programme = QLineEdit(), QLineEdit(), QComboBox()
+        self.serial, self.operator = QLineEdit(), QLineEdit()
+        self.programme = ProgrammeBox(self._takes, _about)
         self.serial.setMaxLength(LONGEST_NAME)
         self.serial.setPlaceholderText(tr("type or scan"))
         self.serial.returnPressed.connect(self.await_scan)
@@ -55,6 +57,7 @@ class RunForm(QWidget):
 
     def plan_anew(self) -> None:
         """Say what the programme takes on the stand that is chosen."""
+        self.programme.forget()
         self._summarise()
 
     def add_programme(self, name_or_path: str) -> None:
@@ -138,6 +141,24 @@ class RunForm(QWidget):
             self.summary.setText(in_language(str(error)))
             return
         self.summary.setText(plan_text(planned))
+        self.programme.setToolTip(as_tooltip(_about(self.chosen)))
+
+    def _takes(self, name_or_path: str) -> str:
+        """What a programme takes where it is run; empty where it cannot be."""
+        try:
+            programme, stand = load_programme(name_or_path), self._stand()
+            chosen = stand if stand.path is not None else load_stand(None, programme.method)
+            return plan_text(Job(stand=chosen, programme=programme, serial_number="").plan())
+        except InputError:
+            return ""
+
+
+def _about(name_or_path: str) -> str:
+    """What a programme says of itself, or why it cannot be read."""
+    try:
+        return in_language(load_programme(name_or_path).about)
+    except InputError as error:
+        return in_language(str(error))
 
 
 def _is_probe(name: str) -> bool:

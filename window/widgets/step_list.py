@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QAbstractItemView, QListView, QWidget
 from tumble.procedures.plan import PlannedStep
 from tumble.procedures.steps import Dwell, Step, pose
 from tumble.window.look.language import tr
+from tumble.window.look.names import in_words
 from tumble.window.look.numbers import local, minutes
 from tumble.window.look.sentences import in_language
 
@@ -92,5 +93,6 @@ def _after(steps: Sequence[PlannedStep], points: int) -> int:
 
 def _words(step: Step) -> str:
     if isinstance(step, Dwell):
-        return local(in_language(pose(step.conditions, step.targets_deg, "°")))
+        named = {condition: in_words(value) for condition, value in step.conditions.items()}
+        return local(in_language(pose(named, step.targets_deg, "°")))
     return in_language(step.task)

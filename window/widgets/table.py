@@ -1,14 +1,16 @@
 """A table of texts."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final, Literal, TypeAlias
 
 from PySide6.QtCore import QEvent, Qt, QTimer
-from PySide6.QtGui import QBrush, QColor, QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtGui import QAction, QBrush, QColor, QContextMenuEvent, QFocusEvent, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
+from tumble.window.look.language import tr
 from tumble.window.look.plain import as_tooltip
 from tumble.window.look.theme import colours
+from tumble.window.widgets.action_menu import open_menu
 
 Ink: TypeAlias = Literal["bad", "now"]
 """A colour of `Colours`, by its name there: what is written keeps its ink when others are chosen."""
@@ -20,7 +22,11 @@ _BY_KEY: Final = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReas
 
 
 class Table(QTableWidget):
-    """Read, selected and copied by rows; columns as wide as their texts, which wrap in the last one."""
+    """Read, selected and copied by rows; columns as wide as their texts, which wrap in the last one.
+
+    The right button and the key Menu show what can be done with the rows that are chosen. Enter is left to whoever has
+    connected `itemActivated`.
+    """
 
     def __init__(self, headings: Sequence[str], parent: QWidget | None = None) -> None:
         super().__init__(0, len(headings), parent)
@@ -37,6 +43,28 @@ class Table(QTableWidget):
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._measure(QHeaderView.ResizeMode.ResizeToContents)
         self._keep_lines()
+        self._copying = self._action(tr("Copy rows"), self._copy, QKeySequence(QKeySequence.StandardKey.Copy))
+        self.addAction(self._copying)
+
+    def offer(self, text: str, do: Callable[[], None], key: str = "") -> QAction:
+        """Have something in the menu that can be done with the rows, by a `key` also while the table has the keyboard.
+
+        A button of the same is an `ActionButton` of what is returned.
+        """
+        action = self._action(text, do, QKeySequence(key))
+        self.insertAction(self._copying, action)
+        return action
+
+    def _action(self, text: str, do: Callable[[], None], key: QKeySequence) -> QAction:
+        action = QAction(text, self)
+        action.setShortcut(key)
+        action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        action.triggered.connect(lambda _checked: do())
+        return action
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:  # noqa: N802  # Qt's name
+        """Show what can be done with the rows that are chosen."""
+        open_menu(self, event)
 
     def fill(self, rows: Sequence[Sequence[str]], inks: Sequence[Ink | None] = ()) -> None:
         """Show other rows, each in an ink of its own where one is given."""
@@ -95,15 +123,14 @@ class Table(QTableWidget):
         if header.stretchLastSection() and not has_room:
             header.setStretchLastSection(False)
             header.resizeSections(QHeaderView.ResizeMode.ResizeToContents)
-        elif has_room:
+        elif has_room and not header.stretchLastSection():
             header.setStretchLastSection(True)
+            header.resizeSection(last, room)  # it would stay as wide as its texts
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
-        """Copy whole rows, as a spreadsheet takes them; Enter is left to whoever has connected `itemActivated`."""
-        if event.matches(QKeySequence.StandardKey.Copy):
-            QGuiApplication.clipboard().setText(self.copied())
-        else:
-            super().keyPressEvent(event)
+    def _copy(self) -> None:
+        """Put the rows that are chosen where a spreadsheet takes them from; with none of them leave what is there."""
+        if rows := self.copied():
+            QGuiApplication.clipboard().setText(rows)
 
     def focusInEvent(self, event: QFocusEvent) -> None:  # noqa: N802  # Qt's name
         """Choose a row for whoever comes by the keyboard: Enter and buttons are about what is chosen."""

@@ -1,4 +1,4 @@
-"""A parameter over time or over units."""
+"""A parameter over time, units or stands."""
 
 from collections.abc import Iterator, Sequence
 from datetime import datetime
@@ -7,16 +7,19 @@ from typing import Final
 
 import numpy as np
 import pyqtgraph as pg
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from tumble.app.headline import headline
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.quantities import format_limits
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.window.look.language import tr
 from tumble.window.look.moments import day_text
 from tumble.window.look.numbers import local
 from tumble.window.look.plots import LocalAxis, Plot
+from tumble.window.look.sentences import in_language
 from tumble.window.plots.values import Series
 from tumble.window.widgets.series_plot import SIGNS
 
@@ -25,7 +28,10 @@ _LEAST_S: Final = 3600.0
 
 
 class TrendPlot(QWidget):
-    """Values with their 95% intervals, of the records found; one without a value that may be used is left out."""
+    """Values with their 95% intervals, of the records found; one without a value that may be used is left out.
+
+    The limits are those of the newest of them; where they are out of sight, their numbers stand above.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -33,10 +39,12 @@ class TrendPlot(QWidget):
         self.parameter.addItem("—")
         self.over.addItem(tr("time"), "time")
         self.over.addItem(tr("units"), "units")
+        self.over.addItem(tr("stands"), "stands")
         self.plot = Plot("", "")
         self._dates, self._numbers = pg.DateAxisItem(orientation="bottom"), LocalAxis(orientation="bottom")
         self._bars = pg.ErrorBarItem(beam=0)
         self._marks = pg.ScatterPlotItem()
+        self._limits = [pg.InfiniteLine(angle=0, movable=False) for _ in ("low", "high")]
         self.records: Sequence[Record] = ()
         """Those that are drawn, as far as they have a value."""
         self.drawn = 0
@@ -76,6 +84,8 @@ class TrendPlot(QWidget):
     def _lay_out(self) -> None:
         self.plot.addItem(self._bars)
         self.plot.addItem(self._marks)
+        for line in self._limits:
+            self.plot.addItem(line, ignoreBounds=True)
         choice = QHBoxLayout()
         for title, box in ((tr("Parame&ter"), self.parameter), (tr("Ove&r"), self.over)):
             form = QFormLayout()
@@ -103,8 +113,9 @@ class TrendPlot(QWidget):
         self._bars.setData(x=x, y=y, top=high - y, bottom=y - low, pen=self.plot.pen(self.plot.colours.pale))
         units = [record.provenance.serial_number for record, *_ in told]
         self._mark(units, x, y)
-        moments = [_moment(record).astimezone().isoformat(" ", "seconds") for record, *_ in told]
-        self.plot.state(_series(units, moments if self.over.currentData() == "time" else units, x, y, low, high))
+        self._draw_limits([record for record, *_ in told], name, unit)
+        places = [self._place(record) for record, *_ in told]
+        self.plot.state(_series(units, places, x, y, low, high))
         self.plot.name_axes(
             self._abscissa([record for record, *_ in told]),
             local(f"{name} ({unit.replace('^2', '²')})" if name else ""),
@@ -124,6 +135,26 @@ class TrendPlot(QWidget):
         marks = [f'<span style="color: {shade}">{sign}</span> {escape(unit)}' for shade, sign, unit in told]
         self.key = "".join(f" &nbsp; {mark}" for mark in (*marks, *rest))
 
+    def _draw_limits(self, records: Sequence[Record], name: str, unit: str) -> None:
+        """Draw the limits of a parameter, where the newest record has some, and say them in the key."""
+        newest = max(records, key=_moment, default=None)
+        check = next((each for each in newest.limits if each.name == name), None) if newest else None
+        pen = self.plot.pen(self.plot.colours.bad, style=Qt.PenStyle.DashLine)
+        for line, end in zip(self._limits, (check.minimum, check.maximum) if check else (None, None), strict=True):
+            line.setVisible(end is not None)
+            line.setPen(pen)
+            line.setValue(0.0 if end is None else end)
+        if check is not None:
+            said = tr("limits {limits}", limits=in_language(format_limits(check.minimum, check.maximum, unit)))
+            self.key += f' &nbsp; <span style="color: {self.plot.colours.bad}">– –</span> {escape(said)}'
+
+    def _place(self, record: Record) -> str:
+        """Where a record stands, in words."""
+        if self.over.currentData() == "time":
+            return _moment(record).astimezone().isoformat(" ", "seconds")
+        origin = record.provenance
+        return origin.stand_name if self.over.currentData() == "stands" else origin.serial_number
+
     def _abscissa(self, records: Sequence[Record]) -> str:
         """What is drawn to the right; the ticks of a short time are hours, which say no day."""
         if self.over.currentData() != "time" or not records:
@@ -138,11 +169,11 @@ class TrendPlot(QWidget):
             self.plot.use_bottom_axis(self._dates)
             self.plot.getViewBox().setLimits(minXRange=_LEAST_S)
             return np.array([_moment(record).timestamp() for record in records])
-        units = list(dict.fromkeys(record.provenance.serial_number for record in records))
+        places = list(dict.fromkeys(map(self._place, records)))
         self.plot.use_bottom_axis(self._numbers)
         self.plot.getViewBox().setLimits(minXRange=None)
-        self._numbers.setTicks([list(enumerate(units))])
-        return np.array([float(units.index(record.provenance.serial_number)) for record in records])
+        self._numbers.setTicks([list(enumerate(places))])
+        return np.array([float(places.index(self._place(record))) for record in records])
 
 
 def _series(

@@ -4,7 +4,16 @@ from typing import Final
 
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QLineEdit,
+    QScrollArea,
+    QScrollBar,
+    QVBoxLayout,
+    QWidget,
+)
 
 from tumble.window.look.tints import AMBER
 from tumble.window.widgets.banner import Banner
@@ -19,7 +28,8 @@ _SETTLING_MS: Final = 40
 class WaitingPage(QFrame):
     """A picture, where there is one, beside words of 40 pt and more, one below the other, and what answers them.
 
-    The answer, which is the last of the column, comes into sight with the question wherever that is scrolled.
+    The answer, which is the last of the column, comes into sight with the question wherever that is scrolled; not while
+    somebody types above, and after that no more once somebody has scrolled by hand.
     """
 
     def __init__(self, picture: QWidget | None = None, parent: QWidget | None = None) -> None:
@@ -29,6 +39,10 @@ class WaitingPage(QFrame):
         self.column = QVBoxLayout()
         self._seen_at: QPoint | None = None
         """Where the answer lay when it was brought into sight last."""
+        self._bar: QScrollBar | None = None
+        """Of what the page lies in, once that was looked for."""
+        self._left_alone = False
+        """Whether somebody has scrolled by hand since the question came."""
         self._laid_out = QTimer(self, singleShot=True, interval=_SETTLING_MS)
         self._laid_out.timeout.connect(self._bring_answer)
         for banner in (self.unit, self.words):
@@ -53,6 +67,7 @@ class WaitingPage(QFrame):
     def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  # Qt's name
         """Come with the answer in sight."""
         super().showEvent(event)
+        self._left_alone = False
         self._look_for_answer()
 
     def _look_for_answer(self) -> None:
@@ -65,11 +80,23 @@ class WaitingPage(QFrame):
         screen, answer = area and area.widget(), last and last.widget()
         if not (area and screen and answer and answer.isVisible()):
             return
+        self._heed(area.verticalScrollBar())
+        if self._left_alone or _types(screen, self):
+            return
         place = answer.mapTo(screen, answer.rect().bottomLeft())
         area.ensureVisible(place.x(), place.y(), 0, _ROUND)  # `ensureWidgetVisible` goes by the cursor of a field
         if place != self._seen_at:
             self._seen_at = place
             self._laid_out.start()
+
+    def _heed(self, bar: QScrollBar) -> None:
+        """Notice who scrolls by hand: what a program scrolls is no action of the bar."""
+        if self._bar is not bar:
+            self._bar = bar
+            bar.actionTriggered.connect(self._leave_alone)
+
+    def _leave_alone(self, _action: int) -> None:
+        self._left_alone = True
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802, ARG002  # Qt's name
         """Lay the ground."""
@@ -102,6 +129,13 @@ def _area_of(part: QWidget) -> QScrollArea | None:
     while around is not None and not isinstance(around, QScrollArea):
         around = around.parentWidget()
     return around
+
+
+def _types(screen: QWidget, page: QWidget) -> bool:
+    """Whether somebody has begun to write in a field of a screen, and not on the page."""
+    field = QApplication.focusWidget()
+    elsewhere = field is not None and screen.isAncestorOf(field) and not page.isAncestorOf(field)
+    return elsewhere and isinstance(field, QLineEdit) and field.isModified() and bool(field.text())
 
 
 def _on_paper(picture: QWidget) -> QFrame:

@@ -9,6 +9,7 @@ from tumble.calibrations.core.verdict import Outcome, Verdict
 from tumble.window.work.activity import Concluded
 
 if TYPE_CHECKING:
+    from tumble.calibrations.report.layers import Sheet
     from tumble.calibrations.report.limit_bar import LimitBar
     from tumble.calibrations.tracing.experiments import Experiment
     from tumble.calibrations.tracing.sentences import Finding
@@ -56,6 +57,18 @@ class Correlations:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Drawn:
+    """A figure of the result."""
+
+    title: str
+    svg: str
+    """In the language of the window; empty where it is drawn as plots."""
+    caption: str
+    sheet: "Sheet | None" = None
+    """What there is to plot."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class LoopSummary:
     """What the closed loop says; what is empty is not shown."""
 
@@ -65,6 +78,8 @@ class LoopSummary:
     findings: "Sequence[Finding]" = ()
     comparisons: Sequence[tuple[str, str, str, str]] = ()
     """Name, declared model, with what was found, change."""
+    figures: Sequence[Drawn] = ()
+    """The residual before and after."""
     not_identifiable: Sequence[tuple[str, str]] = ()
     """Names, and why."""
     dependence: str = ""

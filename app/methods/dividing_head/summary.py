@@ -13,10 +13,11 @@ def in_short(calibration: Calibration) -> Iterator[str]:
     """One line, and the rows that were set aside where there are any."""
     observations = calibration.observations
     parts = [
-        Message(
-            "{rows} of {rows_read} rows used",
+        Message.counted(
+            "{rows} of {count} row used",
+            "{rows} of {count} rows used",
             rows=len(observations),
-            rows_read=observations.rows_read,
+            count=observations.rows_read,
         ),
         *_lack_of_fit(calibration),
     ]

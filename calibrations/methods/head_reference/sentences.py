@@ -87,12 +87,14 @@ def sentences(comparison: Comparison, first: str, second: str) -> list[str]:
     freedom = f"{len(difference) - 1}, {difference.degrees_of_freedom}"
     test = f"F({freedom}) = {difference.f:.3g}, p {equals(difference.p_value)}"
     return [
-        Message(
-            "{second} minus {first}, at {angles} angles that both visited in the same direction: the errors differ by "
+        Message.counted(
+            "{second} minus {first}, at {count} angle that both visited in the same direction: the errors differ by "
             "{lowest_deg:.3g}° to {highest_deg:.3g}°. Uncertainties are from {basis}.",
+            "{second} minus {first}, at {count} angles that both visited in the same direction: the errors differ "
+            "by {lowest_deg:.3g}° to {highest_deg:.3g}°. Uncertainties are from {basis}.",
             first=first,
             second=second,
-            angles=len(difference),
+            count=len(difference),
             lowest_deg=lowest,
             highest_deg=highest,
             basis=difference.basis,

@@ -73,7 +73,7 @@ class HeadTable(Extensible):
         """Its rows in words, by what they are."""
         if self.counted == "settings":
             return self.counted_blocks("angle", self.rows)
-        return Message("{rows} rows", rows=self.rows)
+        return Message.counted("{count} row", "{count} rows", count=self.rows)
 
     @property
     def wandering(self) -> "HeadTable":

@@ -56,7 +56,7 @@ class RunTable(Table):
         """Why nothing is looked for; empty where it is."""
         known, fewest = len(self.runs.known_degc), super().fewest_rows
         if known == self.rows and not self.visits:
-            return too_few(self.rows, fewest, Message("{rows} rows", rows=self.rows))
+            return too_few(self.rows, fewest, Message.counted("{count} row", "{count} rows", count=self.rows))
         return too_few(known, fewest, self.counted_blocks("angle", known), self.visits or self.rows)
 
 

@@ -62,7 +62,7 @@ def read_runs(path: Path) -> Runs:
     if len(runs) < _FEWEST or np.ptp(runs.temperature_degc) <= 0:
         raise TableError(
             Message(
-                "{path}: {runs} runs at {temperatures} temperatures tell nothing",
+                "{path}: so few runs ({runs}) at so few temperatures ({temperatures}) tell nothing",
                 path=path,
                 runs=len(runs),
                 temperatures=len(np.unique(runs.temperature_degc)),
@@ -163,7 +163,9 @@ def _check_pace(time_s: FloatArray | None, runs: int, path: Path) -> None:
     pace_s = float("inf") if time_s is None or runs < 2 else float(np.median(np.diff(np.sort(time_s))))
     if pace_s < _LOG_S or runs > _LOG_ROWS:
         rows = (
-            Message("{rows} rows", rows=runs) if pace_s >= _LOG_S else Message("rows {pace_s:g} s apart", pace_s=pace_s)
+            Message.counted("{count} row", "{count} rows", count=runs)
+            if pace_s >= _LOG_S
+            else Message("rows {pace_s:g} s apart", pace_s=pace_s)
         )
         raise TableError(
             Message(

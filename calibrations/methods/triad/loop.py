@@ -100,11 +100,13 @@ def _declared(
 def _check_positions(observations: TriadObservations) -> None:
     if (positions := len(np.unique(observations.positions))) < FEWEST_POSITIONS:
         raise ValueError(
-            Message(
-                "{source}: {positions} positions do not determine the fourteen parameters of a triad; at least "
+            Message.counted(
+                "{source}: {count} position does not determine the fourteen parameters of a triad; at least "
                 "{fewest} are needed",
+                "{source}: {count} positions do not determine the fourteen parameters of a triad; at least {fewest} "
+                "are needed",
                 source=observations.source or "table",
-                positions=positions,
+                count=positions,
                 fewest=FEWEST_POSITIONS,
             )
         )

@@ -53,7 +53,7 @@ def _scalar(loop: TriadLoop) -> Section:
     mismatch = loop.scalar.mismatch
     deviation = mismatch.standard_deviation_arcsec
     spread = Message(
-        "Mismatch |a| - 1: mean {mean}, standard deviation {deviation} with {freedom} degrees of freedom, largest "
+        "Mismatch |a| - 1: mean {mean}, standard deviation {deviation}, degrees of freedom {freedom}, largest "
         "{largest}. It does not see a rotation of the unit against the stand, nor any error of the stand's angles.",
         mean=format_number(mismatch.mean_arcsec, "″", 2),
         deviation="—" if deviation is None else format_number(deviation, "″", 2),

@@ -99,12 +99,14 @@ def _check(observations: VibrationObservations) -> None:
     vibrated = int(np.count_nonzero(observations.vibrated))
     if vibrated < FEWEST_VIBRATED or vibrated == len(observations):
         raise ValueError(
-            Message(
-                "{source}: {vibrated} of {rows} dwells are vibrated; rectification takes dwells at rest and at least "
+            Message.counted(
+                "{source}: {vibrated} of {count} dwell is vibrated; rectification takes dwells at rest and at least "
                 "{fewest} under vibration",
+                "{source}: {vibrated} of {count} dwells are vibrated; rectification takes dwells at rest and at "
+                "least {fewest} under vibration",
                 source=observations.source or "table",
                 vibrated=vibrated,
-                rows=len(observations),
+                count=len(observations),
                 fewest=FEWEST_VIBRATED,
             )
         )

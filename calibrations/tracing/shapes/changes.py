@@ -50,7 +50,7 @@ def changes(along: Along) -> Iterator[Shape]:
     rest = along.undetermined(np.ones(along.rows))
     yield Shape(
         name=named("changes", at.tolist()),
-        described=Message("in {count} steps", count=len(at)),
+        described=Message.counted("in {count} step", "in {count} steps", count=len(at)),
         columns=partial(levels, along.coordinate.part, at),
         whole=beside(rest, partial(levels, along.coordinate.part, at)) if len(at) > 1 else None,
         gained=gained,

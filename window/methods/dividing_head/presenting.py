@@ -1,6 +1,6 @@
 """A result of an accelerometer as the screen Result shows it, worked out where it keeps nobody waiting."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -8,6 +8,8 @@ import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.quantities import format_correlation
+from tumble.calibrations.core.view import Section
+from tumble.window.generic.drawn import drawn_of
 from tumble.window.work.activity import Concluded
 from tumble.window.work.presentation import Correlations, LoopSummary, ParameterLine, Presentation
 
@@ -39,18 +41,30 @@ class HeadPresentation(Presentation):
 
     models: Mapping[str, Rows]
     """`declared` and, where something was found, `augmented`."""
+    budget: Sequence[Section]
+    """What the uncertainties are made of, and their check by simulation."""
 
 
 def models_of(presentation: Presentation) -> Mapping[str, Rows]:
     """The rows by model of a result of this method."""
+    return _of_this_method(presentation).models
+
+
+def budget_of(presentation: Presentation) -> Sequence[Section]:
+    """The uncertainty budget of a result of this method."""
+    return _of_this_method(presentation).budget
+
+
+def _of_this_method(presentation: Presentation) -> HeadPresentation:
     assert isinstance(presentation, HeadPresentation), "a result is shown by the part of the method that presented it"
-    return presentation.models
+    return presentation
 
 
 def present(concluded: Concluded) -> HeadPresentation:
     """Work out what there is to show."""
     from tumble.calibrations.methods.dividing_head.report.results import notices, results
     from tumble.calibrations.methods.dividing_head.report.subject import Subject
+    from tumble.calibrations.methods.dividing_head.report.uncertainty import budget_sections
 
     traced = concluded.traced
     use, loop = traced.usable, traced.loop
@@ -77,6 +91,7 @@ def present(concluded: Concluded) -> HeadPresentation:
         ),
         loop=_summary(loop),
         models=models,
+        budget=tuple(budget_sections(subject)),
     )
 
 
@@ -96,6 +111,7 @@ def _line(row: "ResultRow") -> ParameterLine:
 
 def _summary(loop: "Loop") -> LoopSummary:
     from tumble.calibrations.methods.dividing_head.loop import sentences
+    from tumble.calibrations.methods.dividing_head.report.loop import before_and_after
 
     return LoopSummary(
         headline=sentences.headline(loop),
@@ -104,6 +120,7 @@ def _summary(loop: "Loop") -> LoopSummary:
         not_identifiable=sentences.not_identifiable(loop),
         dependence=sentences.dependence(loop),
         experiments=loop.next_experiment,
+        figures=drawn_of(before_and_after(loop)) if loop.effects or loop.unexplained else (),
     )
 
 

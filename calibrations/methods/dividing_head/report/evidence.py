@@ -116,9 +116,10 @@ def quality_sections(subject: Subject) -> Iterator[Section]:
     yield Section(
         title="",
         lines=[
-            Message(
-                "{read} rows read, {used} used, {set_aside} set aside.",
-                read=observations.rows_read,
+            Message.counted(
+                "{count} row read, {used} used, {set_aside} set aside.",
+                "{count} rows read, {used} used, {set_aside} set aside.",
+                count=observations.rows_read,
                 used=len(observations),
                 set_aside=len(set_aside),
             )
@@ -145,7 +146,7 @@ def _quality_figures(calibration: Calibration) -> list[tuple[str, str, str]]:
             Message("Noise of one dwell"),
             format_number(noise.used_v, "V"),
             Message(
-                "what the uncertainties rest on: {basis}; {freedom} degrees of freedom",
+                "what the uncertainties rest on: {basis}; degrees of freedom: {freedom}",
                 basis=noise.basis,
                 freedom=noise.used_degrees_of_freedom,
             ),
@@ -169,7 +170,7 @@ def _pure_error(calibration: Calibration) -> tuple[str, str, str]:
             Message("no pose was repeated, so that nothing but the model says how much the data scatters"),
         )
     text = Message(
-        "scatter of one dwell mean between repeats of its pose; {freedom} degrees of freedom",
+        "scatter of one dwell mean between repeats of its pose; degrees of freedom: {freedom}",
         freedom=noise.degrees_of_freedom,
     )
     return (Message("Pure error"), format_number(noise.pure_error_v, "V"), text)

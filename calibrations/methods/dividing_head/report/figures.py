@@ -64,7 +64,12 @@ def _fitted(calibration: Calibration, index: int, mount: str, first: bool) -> Pa
     )
     return Panel(
         layers=tuple(layers),
-        title=Message("{mount} ({dwells} dwells)", mount=with_wording(mount), dwells=np.count_nonzero(at)),
+        title=Message.counted(
+            "{mount} ({count} dwell)",
+            "{mount} ({count} dwells)",
+            mount=with_wording(mount),
+            count=int(np.count_nonzero(at)),
+        ),
         x=Axis(label=Message("head angle as reported (°)")),
         y=Axis(label=Message("output (V)") if first else ""),
     )

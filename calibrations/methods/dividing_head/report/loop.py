@@ -31,7 +31,7 @@ def loop_sections(subject: Subject) -> Iterator[Section]:
     else:
         yield _findings(loop)
         if loop.effects or loop.unexplained:
-            yield from _figures(loop)
+            yield from before_and_after(loop)
             yield _compared(loop)
     if subject.chain is not None:
         yield from chain_sections(subject.chain)
@@ -68,8 +68,8 @@ def _findings(loop: Loop) -> Section:
     )
 
 
-def _figures(loop: Loop) -> Iterator[Section]:
-    """Each figure with what it shows."""
+def before_and_after(loop: Loop) -> Iterator[Section]:
+    """The residual of both models against everything that an effect depends on: each figure with what it shows."""
     models: dict[str, Calibration] = {
         Message("declared model"): loop.declared,
         Message("with what was found"): loop.augmented,

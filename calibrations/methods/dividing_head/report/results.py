@@ -10,7 +10,6 @@ from tumble.calibrations.core.quantities import (
     format_concise,
     format_freedom,
     format_interval,
-    format_limits,
     format_number,
 )
 from tumble.calibrations.core.sentences import equals, series
@@ -20,7 +19,7 @@ from tumble.calibrations.methods.dividing_head.analysis import lack_of_fit_warni
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
 from tumble.calibrations.methods.dividing_head.loop.sentences import found_sentences
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
-from tumble.calibrations.report.values import coverage, expanded
+from tumble.calibrations.report.values import coverage, expanded, limits_text
 from tumble.calibrations.report.verdicts import decided
 from tumble.messages import Message
 
@@ -155,7 +154,7 @@ def _cells(row: ResultRow) -> tuple[str, ...]:
 def _row(parameter: Parameter, check: LimitCheck | None, judgement: Judgement | None) -> ResultRow:
     cells: dict[str, Any] = {}
     if check and judgement:
-        limits = format_limits(check.minimum, check.maximum, parameter.unit)
+        limits = limits_text(parameter, check)
         cells = {"limits": limits, "verdict": decided(parameter, check, judgement), "outcome": judgement.outcome}
     if parameter.value is None or parameter.interval_95 is None or parameter.standard_uncertainty is None:
         return ResultRow(

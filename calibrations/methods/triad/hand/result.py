@@ -145,7 +145,7 @@ def _left(result: HandResult) -> Iterator[str]:
     mismatch = result.fit.mismatch
     deviation = mismatch.standard_deviation_arcsec
     yield Message(
-        "Mismatch |a| - 1 of {poses} poses: standard deviation {deviation} with {freedom} degrees of freedom, largest "
+        "Mismatch |a| - 1 (poses: {poses}): standard deviation {deviation}, degrees of freedom {freedom}, largest "
         "{largest}.",
         poses=int(result.used.sum()),
         deviation="—" if deviation is None else format_number(deviation, "″"),
@@ -172,11 +172,13 @@ def calibrated_by_hand(log: Log) -> HandResult:
     least = PARAMETERS + _SPARE
     if len(outputs) < least:
         raise ValueError(
-            Message(
-                "{source}: {poses} still poses are too few for nine parameters; hold the unit still for some seconds "
+            Message.counted(
+                "{source}: {count} still pose is too few for nine parameters; hold the unit still for some seconds "
                 "in at least {least} poses all round",
+                "{source}: {count} still poses are too few for nine parameters; hold the unit still for some "
+                "seconds in at least {least} poses all round",
                 source=log.rows.source,
-                poses=len(outputs),
+                count=len(outputs),
                 least=least,
             )
         )

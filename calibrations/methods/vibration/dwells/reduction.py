@@ -90,7 +90,11 @@ class Reduction:
         found = list(self.rectifications.values())
         if len(found) == 1:
             return found[0]
-        several = Message("{count} dwells are vibrated; each has its own", count=len(found))
+        several = Message.counted(
+            "{count} dwell is vibrated; it has its own",
+            "{count} dwells are vibrated; each has its own",
+            count=len(found),
+        )
         return Estimate(value_ug=None, standard_uncertainty_ug=None, reason=several)
 
     def document(self) -> dict[str, Any]:

@@ -115,7 +115,8 @@ def _dwell(rows: SampleRows, path: Path) -> Samples:
     number = int(rows.dwell[0]) if len(rows) else 0
     if len(rows) < _FEWEST:
         raise TableError(
-            Message(
+            Message.counted(
+                "{path}: dwell {number} has {count} sample; at least {fewest} are needed",
                 "{path}: dwell {number} has {count} samples; at least {fewest} are needed",
                 path=path,
                 number=number,

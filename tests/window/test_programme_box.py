@@ -1,0 +1,73 @@
+"""Whoever chooses a programme sees in the list what it is for, and what it takes."""
+
+import pytest
+
+from tumble.app.stand import load_stand
+from tumble.window.look.theme import POINT_SIZE
+from tumble.window.widgets.programme_box import ProgrammeBox
+from tumble.window.widgets.run_form import RunForm
+
+OWN = """\
+# Six angles, for a
+# unit in a hurry.
+name = "own"
+dwell_s = 0.1
+
+[[procedure]]
+kind = "sweep"
+step_deg = 60.0
+points = 6
+"""
+
+
+@pytest.fixture
+def form(qtbot, settings):
+    made = RunForm(load_stand)
+    qtbot.addWidget(made)
+    return made
+
+
+def test_a_programme_that_comes_along_says_what_it_is_for(form):
+    assert form.programme.about("24") == "Three circles of eight positions: every face twice, every edge once."
+
+
+def test_and_what_it_takes_on_the_stand_of_its_method(form):
+    assert form.programme.takes("24") == "24 points, about 11:02"
+    assert form.programme.takes("seed") == "430 points, 11 mountings, about 27:45"
+
+
+def test_so_does_one_of_a_file(form, tmp_path):
+    (tmp_path / "own.toml").write_text(OWN, encoding="utf-8")
+    form.add_programme(str(tmp_path / "own.toml"))
+    assert form.programme.about(form.chosen) == "Six angles, for a unit in a hurry."
+    assert form.programme.toolTip() == "Six angles, for a unit in a hurry."
+
+
+def test_one_that_cannot_be_read_says_why_and_takes_nothing(form, tmp_path):
+    absent = str(tmp_path / "absent.toml")
+    assert "there is no such file" in form.programme.about(absent)
+    assert form.programme.takes(absent) == ""
+
+
+def test_each_is_asked_once_until_the_stand_is_another(qtbot):
+    asked = []
+    box = ProgrammeBox(lambda name: asked.append(name) or "1 point", str.upper)
+    qtbot.addWidget(box)
+    assert [box.takes("a"), box.takes("a")] == ["1 point"] * 2
+    assert asked == ["a"]
+    box.forget()
+    box.takes("a")
+    assert asked == ["a", "a"]
+
+
+def test_the_list_has_room_for_all_that_is_said(qtbot):
+    box = ProgrammeBox(lambda _: "", lambda name: f"{name} " * 60)
+    qtbot.addWidget(box)
+    box.addItem("short", "ab")
+    box.addItem("long", "abcdefghijkl")
+    box.show()
+    box.showPopup()
+    heights = [box.view().visualRect(box.model().index(row, 0)).height() for row in (0, 1)]
+    assert box.view().width() >= 30 * POINT_SIZE
+    assert heights[1] >= heights[0] + 2 * box.fontMetrics().height()
+    box.hidePopup()

@@ -1,0 +1,97 @@
+"""The programmes that can be chosen, each with what it takes and what it is for."""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Final, TypeAlias
+
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QPainter
+from PySide6.QtWidgets import QComboBox, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+
+from tumble.window.look.theme import colours
+
+_Index: TypeAlias = QModelIndex | QPersistentModelIndex
+_MARGIN_PX: Final = 4
+_WIDE: Final = 44
+"""Width of the list in heights of a line, where the screen has so much."""
+_WRAPPED: Final = Qt.TextFlag.TextWordWrap
+
+
+class ProgrammeBox(QComboBox):
+    """In its list what a programme `takes` stands beside its name, and below what it is `about`.
+
+    Both are asked by what an item has as its data, once, when the list shows it for the first time.
+    """
+
+    def __init__(self, takes: Callable[[str], str], about: Callable[[str], str], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._takes = takes
+        self.about = cache(about)
+        self.setItemDelegate(_Described(self))
+        self.setStyleSheet("QComboBox { combobox-popup: 0; }")  # a list beside the box, and none over the whole screen
+        self.forget()
+
+    def forget(self) -> None:
+        """Ask anew what they take, since the stand is another one."""
+        self.takes = cache(self._takes)
+
+    def room_px(self) -> int:
+        """Width of the list."""
+        return max(self.width(), min(_WIDE * self.fontMetrics().height(), self.screen().availableGeometry().width()))
+
+    def showPopup(self) -> None:  # noqa: N802  # Qt's name
+        """Give the list its width, however narrow the box is."""
+        self.view().setMinimumWidth(self.room_px())
+        super().showPopup()
+
+
+class _Described(QStyledItemDelegate):
+    """Draws the rows of the list."""
+
+    def __init__(self, box: ProgrammeBox) -> None:
+        super().__init__(box)
+        self._box = box
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: _Index) -> QSize:  # noqa: N802  # Qt's name
+        """As high as everything that is said."""
+        bar = self._box.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
+        width = self._box.room_px() - bar - 4 * _MARGIN_PX
+        metrics = QFontMetrics(option.font)
+        said = metrics.boundingRect(QRect(0, 0, width, 0), _WRAPPED, self._box.about(_name(index)))
+        return QSize(width, metrics.height() + said.height() + 2 * _MARGIN_PX)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
+        """Draw the ground, the name in bold, beside it and below it in a paler ink what is said of it."""
+        filled = QStyleOptionViewItem(option)
+        self.initStyleOption(filled, index)
+        title, filled.text = filled.text, ""
+        filled.widget.style().drawControl(QStyle.ControlElement.CE_ItemViewItem, filled, painter, filled.widget)
+        chosen, look = bool(filled.state & QStyle.StateFlag.State_Selected), colours(self._box)
+        ink, pale = (look.highlighted, look.highlighted) if chosen else (look.ink, look.pale)
+        inside = filled.rect.adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
+        name = _name(index)
+        painter.save()
+        _write(painter, inside, title, ink, bold=True)
+        _write(painter, inside, self._box.takes(name), pale, Qt.AlignmentFlag.AlignRight)
+        _write(painter, inside.adjusted(0, filled.fontMetrics.height(), 0, 0), self._box.about(name), pale)
+        painter.restore()
+
+
+def _write(
+    painter: QPainter,
+    place: QRect,
+    text: str,
+    ink: str,
+    side: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignLeft,
+    *,
+    bold: bool = False,
+) -> None:
+    font = painter.font()
+    font.setBold(bold)
+    painter.setFont(font)
+    painter.setPen(QColor(ink))
+    painter.drawText(place, side | _WRAPPED, text)
+
+
+def _name(index: _Index) -> str:
+    return str(index.data(Qt.ItemDataRole.UserRole))
