@@ -77,8 +77,8 @@ def disturbed_realisations(observations: Observations, rejected: Collection[SetA
         aside, rows = int(np.count_nonzero(out & of_it)), int(np.count_nonzero(of_it))
         if aside > max(_A_FEW, _GOOD_PART * rows):
             yield Message(
-                "{source}: realisation {number} was disturbed as a whole ({part:.0%} of it stands out as gross errors); "
-                "measure it again",
+                "{source}: realisation {number} was disturbed as a whole ({part:.0%} of it stands out as gross "
+                "errors); measure it again",
                 source=observations.source,
                 number=number,
                 part=aside / rows,
