@@ -5,7 +5,7 @@ from datetime import UTC, datetime, timedelta
 from types import MappingProxyType
 from typing import Final
 
-from PySide6.QtCore import QDate, Signal
+from PySide6.QtCore import QDate, Qt, Signal
 from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QStyle, QVBoxLayout, QWidget
 
 from tumble.calibrations.core.verdict import Outcome
@@ -121,7 +121,7 @@ def _titled(fields: Iterable[tuple[str, QWidget]]) -> QWidget:
         label = QLabel(title)
         label.setBuddy(field)
         grid.addWidget(label, 0, column)
-        grid.addWidget(field, 1, column)
+        grid.addWidget(field, 1, column, Qt.AlignmentFlag.AlignVCenter)
     return together
 
 
