@@ -10,7 +10,6 @@ from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
 from tumble.drivers.names import GivenName
 from tumble.drivers.tables import MOST_SAMPLES
 from tumble.messages import Message
-from tumble.procedures.about import about
 from tumble.procedures.acquisition import Acquisition
 from tumble.procedures.approach import Approach
 from tumble.procedures.composition import Part, compose
@@ -122,11 +121,6 @@ class Programme(BaseModel, ABC):
     def text(self) -> str:
         """The programme as it was read, TOML."""
         return self._text
-
-    @property
-    def about(self) -> str:
-        """What it says of itself at its beginning; empty where that is nothing."""
-        return about(self._text)
 
     @property
     def sha256(self) -> str:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Final
 
 from tumble.messages import Message
+from tumble.procedures.about import about
 from tumble.procedures.errors import InputError, ProgrammeError
 from tumble.procedures.first_method import FIRST
 from tumble.procedures.programme import Programme
@@ -30,8 +31,22 @@ def load_programme(name_or_path: str | Path) -> Programme:
     ProgrammeError
         Where there is no such programme, or it is not a valid one: file, line, what is wrong and what to do.
     """
+    return programme_from_text(*_read(name_or_path))
+
+
+def about_programme(name_or_path: str | Path) -> str:
+    """What a programme says of itself, read without the schema of its method, which takes time to load.
+
+    Raises `ProgrammeError` where there is no such programme, or its file cannot be read.
+    """
+    text, _ = _read(name_or_path)
+    return about(text)
+
+
+def _read(name_or_path: str | Path) -> tuple[str, str]:
+    """Text of a programme (TOML), and what messages call it. Raises `ProgrammeError`."""
     if (entry := _shipped().get(str(name_or_path))) is not None:
-        return programme_from_text(entry.read_bytes().decode("utf-8"), entry.name)
+        return entry.read_bytes().decode("utf-8"), entry.name
     path = Path(name_or_path)
     if not path.is_file():
         names = ", ".join(shipped_programmes())
@@ -44,7 +59,7 @@ def load_programme(name_or_path: str | Path) -> Programme:
         )
     try:
         text = read_text(path)
-        return programme_from_text(_listed(text, path) if path.suffix.lower() == ".csv" else text, path.name)
+        return _listed(text, path) if path.suffix.lower() == ".csv" else text, path.name
     except InputError as error:
         raise ProgrammeError(str(error)) from error
 

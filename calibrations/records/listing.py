@@ -8,7 +8,7 @@ from datetime import datetime
 from sqlite3 import Connection as Database
 from typing import Any, Final
 
-from sqlalchemy import ColumnElement, Connection, Index, Select, func, select
+from sqlalchemy import Column, ColumnElement, Connection, Index, Select, func, select
 
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.schema import RECORDS
@@ -21,16 +21,20 @@ MEASURED_AT: Final = func.coalesce(RECORDS.c.measured_at, RECORDS.c.created_at)
 """Start of the run, or when the record was made where the source does not say."""
 NEWEST_FIRST: Final = (MEASURED_AT.desc(), RECORDS.c.created_at.desc(), RECORDS.c.sequence.desc(), RECORDS.c.id.desc())
 INDEX: Final = Index(
-    "ix_records_listing",
+    "ix_records_search",
     MEASURED_AT,
     RECORDS.c.created_at,
     RECORDS.c.sequence,
     RECORDS.c.id,
     RECORDS.c.serial_number,
     RECORDS.c.programme_name,
+    RECORDS.c.stand_name,
+    RECORDS.c.method,
     RECORDS.c.outcome,
     RECORDS.c.measured_at,  # without it SQLite takes the expression for one that needs the record
 )
+EARLIER_INDEX: Final = "ix_records_listing"
+"""What was in its place: without stand and method."""
 
 
 def newest(wanted: Wanted, limit: int) -> Select[Any]:
@@ -50,9 +54,9 @@ def earlier(record: Record) -> tuple[ColumnElement[bool], ...]:
     )
 
 
-def programmes() -> Select[Any]:
-    """The names of all programmes by which something was measured."""
-    return select(RECORDS.c.programme_name).distinct().order_by(RECORDS.c.programme_name)
+def names_in(column: Column[str]) -> Select[Any]:
+    """Everything that a column of all records says, once and in order; a record that says nothing is left out."""
+    return select(column).where(column != "").distinct().order_by(column)
 
 
 def teach_folding(connection: Connection) -> None:
@@ -66,6 +70,8 @@ def _conditions(wanted: Wanted) -> list[ColumnElement[bool]]:
     conditions = [
         _contains(part) if part else None,
         RECORDS.c.programme_name == wanted.programme_name if wanted.programme_name else None,
+        RECORDS.c.stand_name == wanted.stand_name if wanted.stand_name else None,
+        RECORDS.c.method == wanted.method if wanted.method else None,
         RECORDS.c.outcome == str(wanted.verdict) if wanted.verdict else None,
         utc_text(wanted.since) <= MEASURED_AT if wanted.since else None,
         utc_text(wanted.until) >= MEASURED_AT if wanted.until else None,

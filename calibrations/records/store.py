@@ -6,7 +6,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from sqlalchemy import ColumnElement, Connection, Select, insert, select
+from sqlalchemy import Column, ColumnElement, Connection, Select, insert, select
 
 from tumble.calibrations.core.provenance import Provenance
 from tumble.calibrations.core.verdict import Outcome
@@ -22,8 +22,8 @@ from tumble.calibrations.records.listing import (
     NEWEST_FIRST,
     STANDS,
     earlier,
+    names_in,
     newest,
-    programmes,
     teach_folding,
 )
 from tumble.calibrations.records.raw import resolved_path, stored_path
@@ -176,8 +176,15 @@ class Store:
 
     def programmes(self) -> tuple[str, ...]:
         """Names of the programmes of all records, in their order."""
-        with storage_errors(self.path), reading(self._engine) as connection:
-            return tuple(name for name in connection.execute(programmes()).scalars() if name)
+        return self._names_in(RECORDS.c.programme_name)
+
+    def stands(self) -> tuple[str, ...]:
+        """Names of the stands of all records, likewise."""
+        return self._names_in(RECORDS.c.stand_name)
+
+    def methods(self) -> tuple[str, ...]:
+        """Names of the methods of all records, likewise."""
+        return self._names_in(RECORDS.c.method)
 
     def recorded_files(self) -> frozenset[Path]:
         """Where the raw files of all records lie that are in a table still, whether these stand or not."""
@@ -193,9 +200,7 @@ class Store:
 
     def serial_numbers(self) -> tuple[str, ...]:
         """Units of which there are records, by name."""
-        query = select(RECORDS.c.serial_number).distinct().order_by(RECORDS.c.serial_number)
-        with storage_errors(self.path), reading(self._engine) as connection:
-            return tuple(connection.execute(query).scalars())
+        return self._names_in(RECORDS.c.serial_number)
 
     def latest(self, serial_number: str) -> Record | None:
         """Return the record of a unit that was measured last, in its last revision."""
@@ -262,6 +267,10 @@ class Store:
         rows = connection.execute(query.order_by(MEASURED_AT, RECORDS.c.id)).mappings()
         found = [self._record(dict(row)) for row in rows]
         return next((each for each in reversed(found) if set(each.provenance.source_hashes) == set(hashes)), None)
+
+    def _names_in(self, column: Column[str]) -> tuple[str, ...]:
+        with storage_errors(self.path), reading(self._engine) as connection:
+            return tuple(connection.execute(names_in(column)).scalars())
 
     def _records(self, query: Select[Any]) -> tuple[Record, ...]:
         with storage_errors(self.path), reading(self._engine) as connection:

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path
 
-from sqlalchemy import Connection, Engine, select
-from sqlalchemy.schema import CreateIndex
+from sqlalchemy import Connection, Engine, Index, select
+from sqlalchemy.schema import CreateIndex, DropIndex
 
-from tumble.calibrations.records.listing import INDEX
+from tumble.calibrations.records.listing import EARLIER_INDEX, INDEX
 from tumble.calibrations.records.migrations.view import show_as_current
 from tumble.calibrations.records.schema import STORE, STORE_VERSION
 
@@ -40,6 +40,7 @@ def writing(engine: Engine) -> Iterator[Connection]:
 
 def _make_listing(connection: Connection) -> None:
     connection.execute(CreateIndex(INDEX, if_not_exists=True))
+    connection.execute(DropIndex(Index(EARLIER_INDEX), if_exists=True))
 
 
 def migrate(engine: Engine) -> Path | None:

@@ -13,6 +13,9 @@ class Wanted:
     part_of_serial_number: str = ""
     """In capitals or small letters."""
     programme_name: str = ""
+    stand_name: str = ""
+    method: str = ""
+    """Name of a method, as in the result formats."""
     verdict: Outcome | None = None
     since: datetime | None = None
     until: datetime | None = None

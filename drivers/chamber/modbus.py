@@ -17,7 +17,7 @@ from pymodbus.pdu import ModbusPDU
 from tumble.drivers.chamber.registers import Bit, Quantity
 from tumble.drivers.chamber.table import ModbusChamberTable
 from tumble.drivers.errors import DeviceError, LimitError, LinkLostError
-from tumble.drivers.links.opening import opened
+from tumble.drivers.links.opening import opened_unless_stopped
 from tumble.drivers.protocols import EnvironmentStatus, Identity
 from tumble.messages import Message
 
@@ -57,7 +57,9 @@ class _Client(ModbusTcpClient):
             place = wanted.host, wanted.port
             open_it = partial(socket.create_connection, place, wanted.timeout_connect)
             with suppress(OSError):
-                self.socket = opened(open_it, self._check, socket.socket.close, f"{wanted.host}:{wanted.port}")
+                self.socket = opened_unless_stopped(
+                    open_it, self._check, socket.socket.close, f"{wanted.host}:{wanted.port}"
+                )
         return self.socket is not None
 
     def recv(self, size: int | None) -> bytes:

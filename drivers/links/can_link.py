@@ -11,7 +11,7 @@ import can
 
 from tumble.drivers.errors import LinkLostError
 from tumble.drivers.links.can_address import CanAddress
-from tumble.drivers.links.opening import opened
+from tumble.drivers.links.opening import opened_unless_stopped
 from tumble.drivers.links.patience import PAUSE_S, in_words, is_gone, patiently
 from tumble.drivers.links.places import check_server
 from tumble.drivers.links.slcan import SlcanBus
@@ -95,7 +95,9 @@ class CanLink:
         """
         if generation == self.generation:
             self.close()
-            bus = opened(self._opened, self._check_opening, lambda late: late.shutdown(), self.address.url)
+            bus = opened_unless_stopped(
+                self._opened, self._check_opening, lambda late: late.shutdown(), self.address.url
+            )
             self.generation += 1
             self._trouble = ""
             self._bus = bus

@@ -11,7 +11,7 @@ _SLICE_S: Final = 0.05
 Opened = TypeVar("Opened")
 
 
-def opened(
+def opened_unless_stopped(
     open_it: Callable[[], Opened], check: Callable[[], object], close: Callable[[Opened], object], url: str
 ) -> Opened:
     """What `open_it` returns, opened in a thread of its own, while `check` is called many times a second.

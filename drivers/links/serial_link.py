@@ -11,7 +11,7 @@ from typing import Final
 import serial
 
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError
-from tumble.drivers.links.opening import opened
+from tumble.drivers.links.opening import opened_unless_stopped
 from tumble.drivers.links.patience import in_words, is_passing, patiently
 from tumble.messages import Message
 
@@ -153,7 +153,7 @@ class SerialLink:
         """
         self.close()
         self._let_server_notice()
-        self._port = opened(self._opened, self._check_opening, lambda port: port.close(), self.url)
+        self._port = opened_unless_stopped(self._opened, self._check_opening, lambda port: port.close(), self.url)
 
     def _opened(self) -> serial.Serial:
         """A port at the address. Raises `LinkLostError`."""

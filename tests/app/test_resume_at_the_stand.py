@@ -19,7 +19,7 @@ def test_a_stand_file_that_was_changed_is_refused_and_nothing_touched(cut, stand
     assert not list(tmp_path.glob("run.cut*"))
 
 
-def test_the_stand_file_may_have_beenmoved(cut, stand, tmp_path):
+def test_the_stand_file_may_have_been_moved(cut, stand, tmp_path):
     _, broken = cut(5, "--stand", stand)
     stand.rename(tmp_path / "elsewhere.toml")
     assert tumble("resume", broken).status == 2

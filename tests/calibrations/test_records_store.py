@@ -217,14 +217,22 @@ def test_what_was_superseded_is_not_among_the_newest(store, several):
     assert several[0].id not in [record.id for record in store.newest(Wanted(), 10)]
 
 
-@pytest.mark.parametrize("part", ["", "b", "ä"])
-def test_a_search_reads_no_table_but_an_index(store, several, part):
+@pytest.mark.parametrize(
+    "sought",
+    [
+        Wanted(),
+        Wanted(part_of_serial_number="b"),
+        Wanted(part_of_serial_number="ä"),
+        Wanted(stand_name="bench-1", method="triad"),
+    ],
+)
+def test_a_search_reads_no_table_but_an_index(store, several, sought):
     with sqlite3.connect(store.path) as database:
         database.create_function("folded", 1, str.casefold, deterministic=True)
-        wanted = newest(Wanted(part_of_serial_number=part), 3)
+        wanted = newest(sought, 3)
         query = str(wanted.compile(dialect=sqlite.dialect(), compile_kwargs={"literal_binds": True}))
         plan = " ".join(row[3] for row in database.execute(f"EXPLAIN QUERY PLAN {query}"))
-    assert "USING COVERING INDEX ix_records_listing" in plan
+    assert "USING COVERING INDEX ix_records_search" in plan
     assert "TEMP B-TREE" not in plan
 
 
@@ -240,10 +248,24 @@ def test_letters_that_sqlite_does_not_fold_are_folded_once_a_unit(store):
     assert folded == ["ÄB-2"]
 
 
-def test_a_store_without_the_index_gets_it_with_the_next_record(store, several):
+def test_a_store_with_another_index_gets_this_one_with_the_next_record(store, several):
     with sqlite3.connect(store.path) as database:
-        database.execute("DROP INDEX ix_records_listing")
+        database.execute("DROP INDEX ix_records_search")
+        database.execute("CREATE INDEX ix_records_listing ON records (created_at)")
     assert len(store.newest(Wanted(), 10)) == 3
     store.add(entry(calibration()), provenance())
     with sqlite3.connect(store.path) as database:
-        assert database.execute("SELECT 1 FROM sqlite_master WHERE name = 'ix_records_listing'").fetchone()
+        names = {row[0] for row in database.execute("SELECT name FROM sqlite_master WHERE name LIKE 'ix_records_%'")}
+    assert "ix_records_search" in names
+    assert "ix_records_listing" not in names
+
+
+def test_the_newest_are_found_by_stand_and_method(store):
+    for stand, method in (("bench-1", "dividing_head"), ("bench-2", "dividing_head"), ("bench-2", "triad")):
+        store.add(replace(entry(calibration()), method=method), provenance(stand_name=stand))
+    found = store.newest(Wanted(stand_name="bench-2", method="triad"), 10)
+    assert [(each.provenance.stand_name, each.method) for each in found] == [("bench-2", "triad")]
+    assert len(store.newest(Wanted(stand_name="bench-2"), 10)) == 2
+    assert len(store.newest(Wanted(method="dividing_head"), 10)) == 2
+    assert store.stands() == ("bench-1", "bench-2")
+    assert store.methods() == ("dividing_head", "triad")

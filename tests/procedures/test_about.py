@@ -3,7 +3,7 @@
 import pytest
 
 from tumble.procedures.about import about
-from tumble.procedures.programmes import load_programme, shipped_programmes
+from tumble.procedures.programmes import about_programme, shipped_programmes
 
 
 @pytest.mark.parametrize(
@@ -21,4 +21,9 @@ def test_it_is_the_comment_before_everything_else_on_one_line(text, said):
 
 @pytest.mark.parametrize("name", shipped_programmes())
 def test_every_programme_that_comes_along_says_what_it_is_for(name):
-    assert load_programme(name).about.endswith(".")
+    assert about_programme(name).endswith(".")
+
+
+def test_one_of_no_method_at_all_says_it_too(tmp_path):
+    (tmp_path / "other.toml").write_text("# For another stand.\nmethod = 'unheard-of'\n", encoding="utf-8")
+    assert about_programme(tmp_path / "other.toml") == "For another stand."

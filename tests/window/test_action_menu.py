@@ -1,5 +1,7 @@
 """What can be done with a row is offered by the right button and the key Menu, and is what buttons and keys do."""
 
+from datetime import UTC, datetime
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication
@@ -135,8 +137,6 @@ def test_a_run_without_a_record_is_analysed_or_discarded_from_the_menu_and_not_g
 
 @pytest.fixture
 def cut_off(tmp_path):
-    from datetime import UTC, datetime
-
     return CutOff(
         path=tmp_path / "stopped.mcap",
         method="dividing_head",

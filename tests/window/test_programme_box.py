@@ -1,11 +1,14 @@
 """Whoever chooses a programme sees in the list what it is for, and what it takes."""
 
+from threading import current_thread, main_thread
+
 import pytest
 
 from tumble.app.stand import load_stand
 from tumble.window.look.theme import POINT_SIZE
 from tumble.window.widgets.programme_box import ProgrammeBox
 from tumble.window.widgets.run_form import RunForm
+from tumble.window.work.background import Background
 
 OWN = """\
 # Six angles, for a
@@ -21,19 +24,36 @@ points = 6
 
 
 @pytest.fixture
-def form(qtbot, settings):
-    made = RunForm(load_stand)
+def background(qapp):
+    made = Background()
+    yield made
+    made.leave()
+
+
+@pytest.fixture
+def form(qtbot, settings, background):
+    made = RunForm(load_stand, background)
     qtbot.addWidget(made)
     return made
+
+
+@pytest.fixture
+def takes(qtbot, background):
+    def told(box, name):
+        box.takes(name)
+        qtbot.waitUntil(lambda: not background.is_busy)
+        return box.takes(name)
+
+    return told
 
 
 def test_a_programme_that_comes_along_says_what_it_is_for(form):
     assert form.programme.about("24") == "Three circles of eight positions: every face twice, every edge once."
 
 
-def test_and_what_it_takes_on_the_stand_of_its_method(form):
-    assert form.programme.takes("24") == "24 points, about 11:02"
-    assert form.programme.takes("seed") == "430 points, 11 mountings, about 27:45"
+def test_and_what_it_takes_on_the_stand_of_its_method(form, takes):
+    assert takes(form.programme, "24") == "24 points, about 11:02"
+    assert takes(form.programme, "seed") == "430 points, 11 mountings, about 27:45"
 
 
 def test_so_does_one_of_a_file(form, tmp_path):
@@ -43,25 +63,47 @@ def test_so_does_one_of_a_file(form, tmp_path):
     assert form.programme.toolTip() == "Six angles, for a unit in a hurry."
 
 
-def test_one_that_cannot_be_read_says_why_and_takes_nothing(form, tmp_path):
+def test_one_that_cannot_be_read_says_why_and_takes_nothing(form, takes, tmp_path):
     absent = str(tmp_path / "absent.toml")
     assert "there is no such file" in form.programme.about(absent)
-    assert form.programme.takes(absent) == ""
+    assert takes(form.programme, absent) == ""
 
 
-def test_each_is_asked_once_until_the_stand_is_another(qtbot):
+def test_each_is_asked_once_until_the_stand_is_another(qtbot, takes, background):
     asked = []
-    box = ProgrammeBox(lambda name: asked.append(name) or "1 point", str.upper)
+    box = ProgrammeBox(lambda name: asked.append(name) or "1 point", str.upper, background)
     qtbot.addWidget(box)
-    assert [box.takes("a"), box.takes("a")] == ["1 point"] * 2
+    assert [takes(box, "a"), takes(box, "a")] == ["1 point"] * 2
     assert asked == ["a"]
     box.forget()
-    box.takes("a")
+    takes(box, "a")
     assert asked == ["a", "a"]
 
 
-def test_the_list_has_room_for_all_that_is_said(qtbot):
-    box = ProgrammeBox(lambda _: "", lambda name: f"{name} " * 60)
+def test_what_was_asked_about_the_stand_before_is_not_shown(qtbot, background):
+    box = ProgrammeBox(lambda _: "1 point", str.upper, background)
+    qtbot.addWidget(box)
+    box.takes("a")
+    box.forget()
+    background.start(lambda: None, lambda _: None)
+    qtbot.waitUntil(lambda: not background.is_busy)
+    assert box.takes("a") == ""
+
+
+def test_the_list_opens_while_what_they_take_is_worked_out(qtbot, background):
+    asked_in = []
+    box = ProgrammeBox(lambda _: asked_in.append(current_thread()) or "1 point", str.upper, background)
+    qtbot.addWidget(box)
+    box.addItem("a", "a")
+    box.show()
+    box.showPopup()
+    qtbot.waitUntil(lambda: box.takes("a") == "1 point")
+    assert main_thread() not in asked_in
+    box.hidePopup()
+
+
+def test_the_list_has_room_for_all_that_is_said(qtbot, background):
+    box = ProgrammeBox(lambda _: "", lambda name: f"{name} " * 60, background)
     qtbot.addWidget(box)
     box.addItem("short", "ab")
     box.addItem("long", "abcdefghijkl")

@@ -144,3 +144,13 @@ def test_a_trend_goes_over_stands(records):
     stand = records.records[-1].provenance.stand_name
     assert trend.plot.getAxis("bottom")._tickLevels == [[(0, stand)]]
     trend.over.setCurrentText("time")
+
+
+def test_records_are_searched_by_method_and_stand(lent_driver, records):
+    search = records.search
+    search.method.setCurrentText("clock")
+    lent_driver.wait(lambda: [row[0] for row in records.table.texts()] == ["C-1"])
+    search.method.setCurrentIndex(0)
+    search.stand.setCurrentText("bench-1")
+    assert search.wanted().stand_name == "bench-1"
+    lent_driver.wait(lambda: len(records.records) == 3)

@@ -4,9 +4,12 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QFontMetricsF
 
+from tumble.procedures.methods.dividing_head.layout import LAYOUT
 from tumble.window.look.plots import LocalAxis
+from tumble.window.methods.dividing_head.figures import HeadFigures
 from tumble.window.methods.dividing_head.run_plots import OutputPlot
 from tumble.window.widgets.series_plot import SeriesPlot
+from tumble.window.work.background import Background
 
 
 def test_a_series_without_a_point_yet_has_none_drawn(qapp):
@@ -46,3 +49,11 @@ def test_a_low_plot_has_two_numbers_on_its_ordinate(qapp, low, high, lines, numb
     axis = LocalAxis("left")
     (_, written), *_ = axis.tickValues(low, high, lines * QFontMetricsF(axis.font()).height())
     assert written == pytest.approx(numbers)
+
+
+def test_where_there_is_little_room_the_residual_has_as_much_of_it_as_the_output(qtbot):
+    figures = HeadFigures(LAYOUT, Background())
+    qtbot.addWidget(figures)
+    figures.resize(700, 300)
+    figures.show()
+    assert figures.residual.height() == pytest.approx(figures.output.height(), abs=1)

@@ -16,3 +16,17 @@ print(*sorted({name.partition(".")[0] for name in sys.modules} & {"scipy", "sqla
 def test_what_the_window_begins_with_needs_no_analysis_and_no_store():
     done = subprocess.run([sys.executable, "-c", OPENED], capture_output=True, text=True, check=True)
     assert done.stdout.split() == []
+
+
+STANDS = """\
+import sys
+from tumble.app.stand import load_stand
+from tumble.procedures.registry import usable_methods
+loaded = [load_stand(None, method.name) for method in usable_methods()]
+print("scipy.signal" in sys.modules, len(loaded) > 3)
+"""
+
+
+def test_a_stand_that_is_built_in_needs_no_signal_processing():
+    done = subprocess.run([sys.executable, "-c", STANDS], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["False", "True"]

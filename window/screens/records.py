@@ -160,7 +160,9 @@ class RecordsScreen(QWidget):
         self.trend.show_records(self.records)
 
     def _show_around(self, around: store.Around) -> None:
-        self.search.offer(around.programmes)
+        self.search.programme.offer(around.programmes)
+        self.search.stand.offer(around.stand_names)
+        self.search.method.offer(around.methods, around.titles)
         self.cut_off.show_runs(around.cut_off, around.titles)
         self.found_cut_off.emit(around.cut_off)
         self.stands.show_records(around.stands)

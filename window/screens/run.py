@@ -67,7 +67,7 @@ class RunScreen(QWidget):
         """The latter: whether the last run came to no end, and somebody is to say what becomes of it."""
         self._adding = False
         """Whether the form is open beside a run, to fill the queue."""
-        self.form = RunForm(lambda: worker.session.loaded)
+        self.form = RunForm(lambda: worker.session.loaded, background)
         self.view = RunView(background, self.form.chosen_or_shipped())
         self.offered, self.line = ResumeOffer(), RunLine()
         self.controls = RunControls(self.form.summary)

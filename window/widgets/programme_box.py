@@ -1,7 +1,7 @@
 """The programmes that can be chosen, each with what it takes and what it is for."""
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from typing import Final, TypeAlias
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QFontMetrics, QPainter
 from PySide6.QtWidgets import QComboBox, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from tumble.window.look.theme import colours
+from tumble.window.work.background import Background
 
 _Index: TypeAlias = QModelIndex | QPersistentModelIndex
 _MARGIN_PX: Final = 4
@@ -20,20 +21,34 @@ _WRAPPED: Final = Qt.TextFlag.TextWordWrap
 class ProgrammeBox(QComboBox):
     """In its list what a programme `takes` stands beside its name, and below what it is `about`.
 
-    Both are asked by what an item has as its data, once, when the list shows it for the first time.
+    Both are asked by what an item has as its data, once, when the list shows it for the first time. The first, for
+    which a programme and its stand are loaded, is asked in the background: it is there a moment later.
     """
 
-    def __init__(self, takes: Callable[[str], str], about: Callable[[str], str], parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        takes: Callable[[str], str],
+        about: Callable[[str], str],
+        background: Background,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
-        self._takes = takes
+        self._takes, self._background = takes, background
+        self._taken: dict[str, str] = {}
         self.about = cache(about)
         self.setItemDelegate(_Described(self))
         self.setStyleSheet("QComboBox { combobox-popup: 0; }")  # a list beside the box, and none over the whole screen
-        self.forget()
+
+    def takes(self, name: str) -> str:
+        """What a programme takes; empty until that is known."""
+        if name not in self._taken:
+            self._taken[name] = ""
+            self._background.start(partial(self._takes, name), partial(self._hear, self._taken, name))
+        return self._taken[name]
 
     def forget(self) -> None:
         """Ask anew what they take, since the stand is another one."""
-        self.takes = cache(self._takes)
+        self._taken = {}
 
     def room_px(self) -> int:
         """Width of the list."""
@@ -43,6 +58,11 @@ class ProgrammeBox(QComboBox):
         """Give the list its width, however narrow the box is."""
         self.view().setMinimumWidth(self.room_px())
         super().showPopup()
+
+    def _hear(self, asked: dict[str, str], name: str, taken: str) -> None:
+        """Show an answer; one about a stand that was forgotten since goes where nobody looks."""
+        asked[name] = taken
+        self.view().viewport().update()
 
 
 class _Described(QStyledItemDelegate):

@@ -1,30 +1,36 @@
 """What records are looked for."""
 
+from collections.abc import Iterable, Mapping
 from datetime import UTC, datetime, timedelta
+from types import MappingProxyType
 from typing import Final
 
-from PySide6.QtCore import QDate, Signal
-from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QWidget
+from PySide6.QtCore import QDate, Qt, Signal
+from PySide6.QtWidgets import QComboBox, QDateEdit, QGridLayout, QLabel, QLineEdit, QStyle, QVBoxLayout, QWidget
 
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.wanted import Wanted
 from tumble.window.look.language import tr
+from tumble.window.look.sentences import in_language
+from tumble.window.widgets.folding_row import FoldingRow
 
 _LEAST: Final = timedelta(microseconds=1)
 """By which moments of records differ."""
+_NAME: Final = 8
+"""Letters."""
 
 
 class RecordSearch(QWidget):
-    """Serial number, programme, verdict, first and last day; everything that is left alone matches all."""
+    """What a record says in the columns of the list, first and last day; everything that is left alone matches all."""
 
     changed = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.serial, self.programme, self.verdict = QLineEdit(), QComboBox(), QComboBox()
+        self.serial, self.verdict = QLineEdit(), QComboBox()
+        self.programme, self.stand, self.method = _Names(), _Names(), _Names()
         self.serial.setClearButtonEnabled(True)
         self.since, self.until = self._day(), self._day()
-        self.programme.addItem(tr("any"), "")
         self.verdict.addItem(tr("any"), None)
         names = {
             Outcome.PASS: tr("inside"),
@@ -34,24 +40,19 @@ class RecordSearch(QWidget):
         }
         for verdict, name in names.items():
             self.verdict.addItem(name, verdict)
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        parts: tuple[tuple[str, QWidget], ...] = (
+        origin = (
             (tr("&Serial number"), self.serial),
             (tr("&Programme"), self.programme),
-            (tr("Ver&dict"), self.verdict),
-            (tr("Fro&m"), self.since),
-            (tr("&Until"), self.until),
+            (tr("Sta&nd"), self.stand),
+            (tr("Method"), self.method),
         )
-        for column, (title, field) in enumerate(parts):
-            label = QLabel(title)
-            label.setBuddy(field)
-            grid.addWidget(label, 0, column)
-            grid.addWidget(field, 1, column)
-        grid.setColumnStretch(0, 1)
+        outcome = ((tr("Ver&dict"), self.verdict), (tr("Fro&m"), self.since), (tr("&Until"), self.until))
+        row = QVBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(FoldingRow((_titled(origin), _titled(outcome))))
         self.serial.textChanged.connect(self.changed)
-        self.programme.currentIndexChanged.connect(self.changed)
-        self.verdict.currentIndexChanged.connect(self.changed)
+        for box in (self.programme, self.stand, self.method, self.verdict):
+            box.currentIndexChanged.connect(self.changed)
         self.since.dateChanged.connect(self.changed)
         self.until.dateChanged.connect(self.changed)
 
@@ -59,17 +60,13 @@ class RecordSearch(QWidget):
         """What is asked for."""
         return Wanted(
             part_of_serial_number=self.serial.text().strip(),
-            programme_name=self.programme.currentData() or "",
+            programme_name=self.programme.currentData(),
+            stand_name=self.stand.currentData(),
+            method=self.method.currentData(),
             verdict=self.verdict.currentData(),
             since=None if (first := _chosen(self.since)) is None else _beginning(first),
             until=None if (last := _chosen(self.until)) is None else _beginning(last.addDays(1)) - _LEAST,
         )
-
-    def offer(self, programmes: tuple[str, ...]) -> None:
-        """Offer programmes of which there are records."""
-        for name in programmes:
-            if self.programme.findData(name) < 0:
-                self.programme.addItem(name, name)
 
     def _day(self) -> QDateEdit:
         field = _Day()
@@ -78,6 +75,24 @@ class RecordSearch(QWidget):
         field.setSpecialValueText(tr("any"))
         field.setDate(field.minimumDate())
         return field
+
+
+class _Names(QComboBox):
+    """One of several names, or any; no wider than a name, its list as wide as what these are called in words."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(_NAME)
+        self.addItem(tr("any"), "")
+
+    def offer(self, names: Iterable[str], words: Mapping[str, str] = MappingProxyType({})) -> None:
+        """Offer names, too; `words` are what those are called that are no words themselves."""
+        for name in names:
+            if self.findData(name) < 0:
+                self.addItem(in_language(words.get(name, name)), name)
+        bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
+        self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + bar)
 
 
 class _Day(QDateEdit):
@@ -93,6 +108,21 @@ class _Day(QDateEdit):
     def focusNextPrevChild(self, forwards: bool) -> bool:  # noqa: N802  # Qt's name
         """Leave the field: Qt would go on to the month of a day that is none, and never come out."""
         return QWidget.focusNextPrevChild(self, forwards)
+
+
+def _titled(fields: Iterable[tuple[str, QWidget]]) -> QWidget:
+    """Fields beside each other, each below its title; the first takes what room there is."""
+    together = QWidget()
+    grid = QGridLayout(together)
+    grid.setContentsMargins(0, 0, 0, 0)
+    grid.setColumnStretch(0, 1)
+    grid.setRowStretch(1, 1)  # titles are in one line with those of fields that are higher
+    for column, (title, field) in enumerate(fields):
+        label = QLabel(title)
+        label.setBuddy(field)
+        grid.addWidget(label, 0, column)
+        grid.addWidget(field, 1, column, Qt.AlignmentFlag.AlignVCenter)
+    return together
 
 
 def _chosen(field: QDateEdit) -> QDate | None:

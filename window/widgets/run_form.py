@@ -12,12 +12,13 @@ from tumble.app.stand import LoadedStand, load_stand
 from tumble.drivers.text import LONGEST_NAME
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import Programme
-from tumble.procedures.programmes import load_programme, shipped_programmes
+from tumble.procedures.programmes import about_programme, load_programme, shipped_programmes
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel, as_tooltip
 from tumble.window.look.sentences import in_language, plan_text
 from tumble.window.widgets.dialog import FileDialog
 from tumble.window.widgets.programme_box import ProgrammeBox
+from tumble.window.work.background import Background
 
 
 class RunForm(QWidget):
@@ -32,11 +33,11 @@ class RunForm(QWidget):
     dialog_wanted = Signal(object)
     """`Dialog`."""
 
-    def __init__(self, stand: Callable[[], LoadedStand], parent: QWidget | None = None) -> None:
+    def __init__(self, stand: Callable[[], LoadedStand], background: Background, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._stand = stand
         self.serial, self.operator = QLineEdit(), QLineEdit()
-        self.programme = ProgrammeBox(self._takes, _about)
+        self.programme = ProgrammeBox(self._takes, _about, background)
         self.serial.setMaxLength(LONGEST_NAME)
         self.serial.setPlaceholderText(tr("type or scan"))
         self.serial.returnPressed.connect(self.await_scan)
@@ -156,7 +157,7 @@ class RunForm(QWidget):
 def _about(name_or_path: str) -> str:
     """What a programme says of itself, or why it cannot be read."""
     try:
-        return in_language(load_programme(name_or_path).about)
+        return in_language(about_programme(name_or_path))
     except InputError as error:
         return in_language(str(error))
 

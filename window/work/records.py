@@ -50,6 +50,9 @@ class Around:
     cut_off: "tuple[CutOff, ...]"
     titles: Mapping[str, str]
     programmes: tuple[str, ...] = ()
+    stand_names: tuple[str, ...] = ()
+    methods: tuple[str, ...] = ()
+    """All three of which there are records."""
     stands: "tuple[StandRecord, ...]" = ()
     """Stand records of all stands."""
 
@@ -82,10 +85,13 @@ def look_around(folder: Path) -> Around:
 
     if not (folder / DATABASE).is_file():
         return Around(cut_off=cut_off_runs(folder), titles=method_titles())
+    kept = open_store(folder)
     return Around(
         cut_off=cut_off_runs(folder),
         titles=method_titles(),
-        programmes=open_store(folder).programmes(),
+        programmes=kept.programmes(),
+        stand_names=kept.stands(),
+        methods=kept.methods(),
         stands=list_stand_records(folder),
     )
 

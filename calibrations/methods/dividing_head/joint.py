@@ -170,20 +170,22 @@ def _judge(
     residual = np.asarray(whiten(whiten(misfit * root)) / root)  # best linear unbiased prediction (Henderson 1975)
     error = pure_error(residual, groups, weights)
     lack = lack_of_fit(fit.squares_v2, len(observations), fit.fitted, error)
-    if _significant(lack) and as_written(functions, observations.output_v):
+    if lack.p_value is not None and lack.p_value < LACK_OF_FIT_P and as_written(functions, observations.output_v):
         lack = replace(lack, p_value=None)  # repeats that are rounded alike show no scatter to test against
     return residual, error, lack, _noise(fit, len(observations), error, lack)
 
 
-def _significant(lack: LackOfFit) -> bool:
-    return lack.p_value is not None and lack.p_value < LACK_OF_FIT_P
+def _rests_on_poses(error: PureError, lack: LackOfFit) -> bool:
+    """Whether the poses scatter by more than their repeats say, or their repeats, being rounded alike, say nothing."""
+    if lack.p_value is None:
+        return error.degrees_of_freedom > 0 and lack.degrees_of_freedom > 0
+    return lack.p_value < LACK_OF_FIT_P
 
 
 def _noise(fit: JointFit, rows: int, error: PureError, lack: LackOfFit) -> Noise:
-    """The ruler: all scatter about the fit, or that of the poses where they do not agree with the model."""
+    """The ruler: all scatter about the fit, or that of the poses."""
     freedom = rows - fit.fitted
-    untested = lack.p_value is None and error.degrees_of_freedom and lack.degrees_of_freedom
-    if untested or _significant(lack):
+    if _rests_on_poses(error, lack):
         used, used_freedom, basis_text = (
             lack.variance,
             lack.degrees_of_freedom,

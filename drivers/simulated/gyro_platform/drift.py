@@ -4,7 +4,6 @@ import math
 from typing import Final
 
 import numpy as np
-from scipy.signal import lfilter
 
 from tumble.drivers.simulated.geometry import FloatArray
 from tumble.drivers.simulated.gyro_platform.settings import GyroNoise
@@ -43,6 +42,8 @@ class GaussMarkov:
         return np.interp(steps, np.arange(len(self._values)), self._values)
 
     def _extend(self) -> None:
+        from scipy.signal import lfilter  # takes a second to load: a stand is described without it
+
         random = generator(self._seed, self._stream, 1 + len(self._values) // self.CHUNK)
         noise = self._sd * math.sqrt(1.0 - self._kept**2) * random.standard_normal(self.CHUNK)
         more, _ = lfilter([1.0], [1.0, -self._kept], noise, zi=[self._kept * self._values[-1]])

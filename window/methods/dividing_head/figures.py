@@ -29,7 +29,7 @@ class HeadFigures(Figures):
         self.residual = ResidualPlot(self.output)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(Splitter(Qt.Orientation.Vertical, (self.output, self.residual), (5, 4)))
+        layout.addWidget(Splitter(Qt.Orientation.Vertical, (self.output, self.residual), (1, 1)))
 
     def begin(self, points: Sequence[Point]) -> None:
         """Show a run that begins, or goes on after some points."""
