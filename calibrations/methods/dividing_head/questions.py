@@ -171,7 +171,7 @@ def _each(blocks: NDArray[np.int64]) -> Iterator[NDArray[np.bool_]]:
 
 
 def _waves(observations: Observations, residual: FloatArray, inside: NDArray[np.bool_]) -> bool:
-    """Whether two waves explain most of what the rows of a block are off, as in another mount; of few they always do."""
+    """Whether two waves explain most of what the rows of a block are off, as in another mount; of few always."""
     if np.count_nonzero(inside) < _WAVING:
         return True
     return bool(np.std(_orthogonal_to_two_waves(observations, inside)) < _WAVES * np.std(residual[inside]))
