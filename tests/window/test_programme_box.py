@@ -1,6 +1,7 @@
 """Whoever chooses a programme sees in the list what it is for, and what it takes."""
 
 import pytest
+from PySide6.QtWidgets import QPushButton
 
 from tumble.app.stand import load_stand
 from tumble.window.look.theme import POINT_SIZE
@@ -47,6 +48,17 @@ def test_one_that_cannot_be_read_says_why_and_takes_nothing(form, tmp_path):
     absent = str(tmp_path / "absent.toml")
     assert "there is no such file" in form.programme.about(absent)
     assert form.programme.takes(absent) == ""
+
+
+def test_a_file_that_was_mended_is_read_anew_when_it_is_chosen_again(form, tmp_path):
+    dialogs = []
+    form.dialog_wanted.connect(dialogs.append)
+    for text in ("", OWN):
+        (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+        form.findChild(QPushButton).click()
+        dialogs[-1].chosen.emit(tmp_path / "own.toml")
+    assert form.programme.about(form.chosen) == "Six angles, for a unit in a hurry."
+    assert form.summary.text() == "6 points, 1 mounting, about 1:17"
 
 
 def test_each_is_asked_once_until_the_stand_is_another(qtbot):

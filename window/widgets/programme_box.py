@@ -25,15 +25,14 @@ class ProgrammeBox(QComboBox):
 
     def __init__(self, takes: Callable[[str], str], about: Callable[[str], str], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._takes = takes
-        self.about = cache(about)
+        self._takes, self._about = takes, about
         self.setItemDelegate(_Described(self))
         self.setStyleSheet("QComboBox { combobox-popup: 0; }")  # a list beside the box, and none over the whole screen
         self.forget()
 
     def forget(self) -> None:
-        """Ask anew what they take, since the stand is another one."""
-        self.takes = cache(self._takes)
+        """Ask anew, since the stand is another one, or a file says something else."""
+        self.takes, self.about = cache(self._takes), cache(self._about)
 
     def room_px(self) -> int:
         """Width of the list."""
