@@ -1,11 +1,12 @@
 """Whoever chooses a programme sees in the list what it is for, and what it takes."""
 
 import pytest
+from PySide6.QtGui import QFont, QFontMetrics
 from PySide6.QtWidgets import QPushButton
 
 from tumble.app.stand import load_stand
 from tumble.window.look.theme import POINT_SIZE
-from tumble.window.widgets.programme_box import ProgrammeBox
+from tumble.window.widgets.programme_box import ProgrammeBox, title_beside
 from tumble.window.widgets.run_form import RunForm
 
 OWN = """\
@@ -70,6 +71,18 @@ def test_each_is_asked_once_until_the_stand_is_another(qtbot):
     box.forget()
     box.takes("a")
     assert asked == ["a", "a"]
+
+
+@pytest.mark.parametrize(
+    "title", ["seed", "a folder of somebody/a programme with a long name for the second bench.toml"]
+)
+def test_a_name_leaves_room_for_what_a_programme_takes(qapp, title):
+    takes, bold = "430 points, 11 mountings, about 27:45", QFont(qapp.font())
+    bold.setBold(True)
+    shown = title_beside(takes, title, qapp.font(), 580)
+    wide = QFontMetrics(bold).horizontalAdvance(shown) + QFontMetrics(qapp.font()).horizontalAdvance(takes)
+    assert wide <= 580
+    assert (shown[:3], shown[-3:]) == (title[:3], title[-3:])
 
 
 def test_the_list_has_room_for_all_that_is_said(qtbot):

@@ -5,7 +5,7 @@ from functools import cache
 from typing import Final, TypeAlias
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QPainter
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter
 from PySide6.QtWidgets import QComboBox, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from tumble.window.look.theme import colours
@@ -69,11 +69,20 @@ class _Described(QStyledItemDelegate):
         ink, pale = (look.highlighted, look.highlighted) if chosen else (look.ink, look.pale)
         inside = filled.rect.adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
         name = _name(index)
+        takes = self._box.takes(name)
         painter.save()
-        _write(painter, inside, title, ink, bold=True)
-        _write(painter, inside, self._box.takes(name), pale, Qt.AlignmentFlag.AlignRight)
+        _write(painter, inside, title_beside(takes, title, filled.font, inside.width()), ink, bold=True)
+        _write(painter, inside, takes, pale, Qt.AlignmentFlag.AlignRight)
         _write(painter, inside.adjusted(0, filled.fontMetrics.height(), 0, 0), self._box.about(name), pale)
         painter.restore()
+
+
+def title_beside(takes: str, title: str, font: QFont, room_px: int) -> str:
+    """As much of both ends of a title as stands in bold beside what a programme takes, on one line of so much room."""
+    left_px = room_px - QFontMetrics(font).horizontalAdvance(f"{takes}  ")
+    bold = QFont(font)
+    bold.setBold(True)
+    return QFontMetrics(bold).elidedText(title, Qt.TextElideMode.ElideMiddle, left_px)
 
 
 def _write(
