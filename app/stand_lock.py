@@ -8,7 +8,7 @@ run lasts, so that a process that dies leaves nothing locked; what is written in
 import json
 import os
 import socket
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from datetime import UTC, datetime
 from hashlib import sha256
@@ -27,8 +27,10 @@ _LONGEST_WORDS = 2_000
 
 
 @contextmanager
-def holding(loaded: LoadedStand, serial_number: str) -> Iterator[None]:
+def holding(loaded: LoadedStand, serial_number: str, check: Callable[[], object] = lambda: None) -> Iterator[None]:
     """Have the stand for oneself. The stand that is built in is everybody's: each process has its own.
+
+    `check` is called while hosts are looked up, and may raise.
 
     Raises
     ------
@@ -36,7 +38,7 @@ def holding(loaded: LoadedStand, serial_number: str) -> Iterator[None]:
         Another process has it: which one, on which computer, with which unit, since when.
     """
     with ExitStack() as stack:
-        for name, address in sorted(_addresses(loaded).items()):
+        for name, address in sorted(_addresses(loaded, check).items()):
             stack.enter_context(_holding(name, Message("the stand at {address}", address=address), serial_number))
         yield
 
@@ -48,11 +50,11 @@ def holding_recording(path: Path, serial_number: str) -> Iterator[None]:
         yield
 
 
-def _addresses(loaded: LoadedStand) -> dict[str, str]:
+def _addresses(loaded: LoadedStand, check: Callable[[], object]) -> dict[str, str]:
     """What is held, as it is written, by the one name that it has."""
     file = str(loaded.path.resolve()) if loaded.path else ""
     addresses = [table.address for table in loaded.file.instruments.values()]
-    instruments = {one_name(address): address for address in addresses}
+    instruments = {one_name(address, check): address for address in addresses}
     return {name: address for name, address in ({file: file} | instruments).items() if address}
 
 

@@ -113,7 +113,7 @@ def connect(
     """
     if loaded.file.simulates:
         return _simulated(loaded, attendant or _attendant(answers, attended, typed), past)
-    backstage, attention = _backstage(loaded), Attention()
+    backstage, attention = _backstage(loaded, check), Attention()
     links = Links(attention.check)
     clock = clock or (backstage.clock if backstage else SystemClock())
     attendant = attendant or _attendant(answers, attended or backstage is None, typed)
@@ -154,11 +154,11 @@ def connect(
     return _behind_the_scenes(made, backstage) if backstage else made
 
 
-def _backstage(loaded: LoadedStand) -> Backstage | None:
+def _backstage(loaded: LoadedStand, check: Callable[[], object]) -> Backstage | None:
     """Where the stand is emulated, its backstage; never of a stand whose file has no table `simulated`."""
     if loaded.file.simulated is None:
         return None
-    return find_backstage([table.address for table in loaded.file.instruments.values()])
+    return find_backstage([table.address for table in loaded.file.instruments.values()], check)
 
 
 def _behind_the_scenes(made: Connected, backstage: Backstage) -> Connected:

@@ -209,11 +209,14 @@ def backstage_of(shared: SharedWorld, addresses: Sequence[str], faults: Faults |
                 entry.unlink(missing_ok=True)
 
 
-def find_backstage(addresses: Sequence[str]) -> Backstage | None:
-    """The backstage of the emulated stand to which an instrument with one of these addresses belongs, if any."""
+def find_backstage(addresses: Sequence[str], check: Callable[[], object] = lambda: None) -> Backstage | None:
+    """The backstage of the emulated stand to which an instrument with one of these addresses belongs, if any.
+
+    `check` is called while hosts are looked up, and may raise.
+    """
     for address in addresses:
         try:
-            known = json.loads(read_private(private_folder(_FOLDER) / _entry(address)))
+            known = json.loads(read_private(private_folder(_FOLDER) / _entry(address, check)))
             clock = FasterClock(**known["pace"]) if known["pace"] else SystemClock()
             backstage = Backstage(int(known["port"]), clock, known["conditions"])
             running = known["started"] and started(int(known["process"])) == known["started"]
@@ -224,6 +227,6 @@ def find_backstage(addresses: Sequence[str]) -> Backstage | None:
     return None
 
 
-def _entry(address: str) -> str:
+def _entry(address: str, check: Callable[[], object] = lambda: None) -> str:
     """Name of the file that says where the backstage of an instrument is."""
-    return f"{sha256(one_name(address).encode()).hexdigest()[:24]}.json"
+    return f"{sha256(one_name(address, check).encode()).hexdigest()[:24]}.json"

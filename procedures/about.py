@@ -7,10 +7,12 @@ from collections.abc import Collection, Iterator, Mapping
 from itertools import takewhile
 from typing import IO, Any
 
+from tumble.procedures.toml_text import BYTE_ORDER_MARK
+
 
 def about(text: str) -> str:
     """The comment that a programme (TOML) begins with, on one line; empty where there is none."""
-    lines = (line.strip() for line in text.strip().splitlines())
+    lines = (line.strip() for line in text.removeprefix(BYTE_ORDER_MARK).strip().splitlines())
     return " ".join(line.lstrip("# ") for line in takewhile(lambda line: line.startswith("#"), lines)).strip()
 
 

@@ -27,6 +27,8 @@ _MINUS = str.maketrans(dict.fromkeys("\u2212\u2013\ufe63\uff0d", "-"))
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?")
 _SHOWN: Final = 40
 """Characters of a cell that a message repeats."""
+_LONGEST_UNIT: Final = 3
+"""Letters of a unit that another language writes otherwise."""
 
 _UNFINISHED: Final = Message("unexpected end of data")
 _QUOTED_IN_PART: Final = Message("a value goes on after a closing quotation mark")
@@ -89,6 +91,11 @@ def number(cell: str) -> float:
 def shown(cell: str) -> str:
     """Return a cell as a message repeats it: quoted, without control characters, and not at any length."""
     return repr(cell if len(cell) <= _SHOWN else f"{cell[:_SHOWN]}…")
+
+
+def column_shown(name: str) -> str:
+    """Return a column's name as a message repeats it: as a cell, unless it is one word, and too long for a unit."""
+    return name if name.isidentifier() and len(name) > _LONGEST_UNIT else shown(name)
 
 
 def _lines(text: str, path: Path) -> Iterator[tuple[int, str]]:

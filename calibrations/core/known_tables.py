@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import Final, TypeVar
 
-from tumble.calibrations.core.cells import TableError, holds_numbers
+from tumble.calibrations.core.cells import TableError, column_shown, holds_numbers
 from tumble.calibrations.core.files import read_header, read_lines
 from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.sentences import series
@@ -65,7 +65,7 @@ def recognised(path: Path, methods: Sequence[Method]) -> Method:
             "{path}, line 1: {hint}; the columns are {columns}; tumble reads {read}",
             path=path,
             hint=hint,
-            columns=", ".join(header),
+            columns=", ".join(map(column_shown, header)),
             read=read,
         )
     )
@@ -122,7 +122,7 @@ def misspelt(header: Sequence[str], known: Sequence[str], wanted: Sequence[str])
     near = {lowered[names[0]]: name for name, names in close.items() if names}
     if not near:
         return ""
-    asked = series([f"{given} {name}" for given, name in near.items()])
+    asked = series([f"{column_shown(given)} {name}" for given, name in near.items()])
     return Message("column {name} is missing; is {asked}? Rename and check the unit", name=missing[0], asked=asked)
 
 

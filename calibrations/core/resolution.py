@@ -18,6 +18,8 @@ def last_digit(values: FloatArray) -> float:
     Shape (n,); with no value but 0, the smallest step there is.
     """
     largest = float(np.abs(values).max(initial=0.0))
+    if largest == 0.0:
+        return 10.0 ** -_DECADES[-1]
     least = 16 * _EPSILON * largest
     for decade in _DECADES:
         scaled = values * 10.0**decade

@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from tumble.calibrations.core.cells import Line, TableError, is_missing, number, read_cells, shown
+from tumble.calibrations.core.cells import Line, TableError, column_shown, is_missing, number, read_cells, shown
 from tumble.calibrations.core.files import read_text
 from tumble.calibrations.core.rows import Column, Kind, Rows, SetAside
 from tumble.calibrations.core.sentences import series
@@ -103,7 +103,7 @@ def _hint(wanted: str, header: list[str]) -> str:
     quantity = wanted.split("_")[0]
     near = [name for name in header if quantity in name.lower()]
     if near:
-        return Message("is it {name}? Rename it and check its unit", name=shown(near[0])[1:-1])
+        return Message("is it {name}? Rename it and check its unit", name=column_shown(near[0]))
     return Message("the columns are {columns}", columns=shown(", ".join(header))[1:-1])
 
 

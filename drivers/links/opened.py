@@ -5,6 +5,7 @@ from contextlib import ExitStack
 from copy import copy
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from tumble.drivers.links.places import one_name
 from tumble.drivers.tables import OnCan, OnSerialLine
 
 if TYPE_CHECKING:  # opened when needed: neither library is there for nothing
@@ -59,6 +60,10 @@ class Links:
             self._buses[address.url] = CanLink(address, self._check_opening)
             self._opened.callback(self._buses[address.url].close)
         return self._buses[address.url]
+
+    def name_of(self, url: str) -> str:
+        """The one name of a place, see `one_name`, looked up only as long as `check_opening` does not raise."""
+        return one_name(url, self._check_opening)
 
     def at_end(self, close: Callable[[], None]) -> None:
         """Have something else closed with them."""

@@ -4,11 +4,14 @@ import ipaddress
 import os
 import socket
 import sys
+from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from typing import Final
 from urllib.parse import urlsplit
 
 from tumble.drivers.links.can_address import CanAddress
+from tumble.drivers.links.opening import opened_unless_stopped
 from tumble.messages import Message
 
 LOOPBACK: Final = "127.0.0.1"
@@ -21,16 +24,18 @@ _OF_SERVERS: Final = ("host", "port", "tcp_tune")
 """Options of a bus behind a server; python-can's `tcp_tune` is always on here."""
 
 
-def one_name(address: str) -> str:
+def one_name(address: str, check: Callable[[], object] = lambda: None) -> str:
     """The name that two addresses share where they are the same port of the same computer, or the same CAN bus.
 
     Parameters
     ----------
     address
         A port name, a pyserial URL, or a CAN bus as `CanAddress` has it.
+    check
+        Called many times a second while the number of a host is looked up; what it raises breaks that off.
     """
     if "://" in address:
-        return _networked(address)
+        return _networked(address, check)
     if address.startswith("/") or ":" not in address:
         return _port(address)
     try:
@@ -38,7 +43,7 @@ def one_name(address: str) -> str:
     except ValueError:
         return address
     host, port = bus.options.get("host", ""), bus.options.get("port", "")
-    server = f"?host={one_host(str(host))}&port={port}" if host else ""
+    server = f"?host={one_host(str(host), check)}&port={port}" if host else ""
     return f"{bus.interface}:{_port(bus.channel)}{server}"
 
 
@@ -96,10 +101,14 @@ def check_server(bus: CanAddress) -> None:
         )
 
 
-def one_host(host: str) -> str:
-    """Number of a host by its name or number, every loopback being 127.0.0.1; the name where nobody knows it."""
+def one_host(host: str, check: Callable[[], object] = lambda: None) -> str:
+    """Number of a host by its name or number, every loopback being 127.0.0.1; the name where nobody knows it.
+
+    `check` as of `one_name`.
+    """
     with suppress(OSError, UnicodeError):
-        found = {str(entry[4][0]).partition("%")[0] for entry in socket.getaddrinfo(host, None)}
+        entries = opened_unless_stopped(partial(socket.getaddrinfo, host, None), check, lambda late: late.clear(), host)
+        found = {str(entry[4][0]).partition("%")[0] for entry in entries}
         if any(_is_here(number) for number in found):
             return LOOPBACK
         return min(found)
@@ -111,12 +120,12 @@ def _is_here(number: str) -> bool:
     return known.is_loopback or known.is_unspecified
 
 
-def _networked(url: str) -> str:
+def _networked(url: str, check: Callable[[], object]) -> str:
     """`socket://HOST:PORT`, whatever is spoken there."""
     with suppress(ValueError):
         place = urlsplit(url)
         if place.scheme in _NETWORKED and place.hostname:
-            return f"socket://{one_host(place.hostname)}:{place.port}"
+            return f"socket://{one_host(place.hostname, check)}:{place.port}"
     return url
 
 

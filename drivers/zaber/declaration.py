@@ -3,7 +3,6 @@
 from pydantic import Field
 
 from tumble.drivers.driver import Bench, Driver
-from tumble.drivers.links.places import one_name
 from tumble.drivers.tables import HeadTable, OnSerialLine
 from tumble.drivers.zaber.conversation import Line
 from tumble.drivers.zaber.head import ZaberHead
@@ -20,7 +19,8 @@ class ZaberTable(OnSerialLine, HeadTable):
 
 def _connect(table: ZaberTable, bench: Bench) -> ZaberHead:
     links = bench.attentive.links
-    line = links.shared(f"zaber {one_name(table.url)}", lambda: Line(links.serial(table, Message("dividing head"))))
+    place = f"zaber {links.name_of(table.url)}"
+    line = links.shared(place, lambda: Line(links.serial(table, Message("dividing head"))))
     return ZaberHead(
         line,
         device=table.device,

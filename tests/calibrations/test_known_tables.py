@@ -77,6 +77,8 @@ def test_what_is_of_another_kind_is_refused_by_its_name(tmp_path, header, looks)
         ("time_s,acc_x,acc_y,acc_z", "a table of a triad, and it lacks outer_deg, inner_deg,"),
         ("dwell,time_s,kind,drive_Hz,output_g", "these are samples of dwells; `tumble reduce` makes a table of dwells"),
         ("time_s,ai_g,fi_Hz,Output_ug", "is Output_ug output_ug?"),
+        ("Angle (deg),Voltage (V)", "is 'Angle (deg)' angle_deg and 'Voltage (V)' voltage_V?"),
+        ("first,s", "the columns are first, 's'; tumble reads"),
         ("first,second", "not a table that tumble knows; the columns are first, second; tumble reads"),
     ],
 )

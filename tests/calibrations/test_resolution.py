@@ -21,6 +21,10 @@ def test_values_with_all_their_digits_are_written_to_what_a_double_tells_apart()
     assert last_digit(np.array([1 / 3, 2 / 7])) < 1e-14
 
 
+def test_of_zeros_alone_nobody_knows_the_last_digit_and_it_is_the_smallest_that_there_is():
+    assert last_digit(np.zeros(3)) == pytest.approx(1e-18)
+
+
 @pytest.mark.parametrize("digits", [1, 3, 6, 9])
 def test_a_rounded_output_is_given_as_written(digits):
     assert as_written(FUNCTIONS, np.round(FUNCTIONS @ [0.01, 5.0, 0.2], digits))

@@ -129,6 +129,18 @@ def test_a_missing_mount_column_is_asked_about_where_only_the_sweeps_turn_back()
     assert "the rows cannot come from one mount" in asked(rows)
 
 
+@pytest.mark.parametrize(("rows_off", "by_v"), [(1, 1.0), (9, 0.05), (36, 0.05)])
+def test_a_realisation_that_was_disturbed_is_no_other_mount(rows_off, by_v):
+    rows = replace(table(("sweep", "face-up", np.arange(0.0, 360.0, 10.0))), mount=None)
+    third = np.flatnonzero(rows.realisation == 3)[:rows_off]
+    off_v = by_v * np.random.default_rng(20261128).normal(size=rows_off)
+    time_s = 5.0 * np.arange(len(rows)) + 1000.0 * rows.realisation
+    rows = replace(rows, time_s=time_s)
+    rows.voltage_v[third] += off_v
+
+    assert questioned(rows).questions == ()
+
+
 def test_an_output_that_is_rounded_more_coarsely_than_it_scatters_is_asked_about():
     rows = table(*TWO_MOUNTS)
 

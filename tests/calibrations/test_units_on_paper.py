@@ -39,7 +39,15 @@ def test_number_and_unit_stay_on_one_line(text):
 
 
 @pytest.mark.parametrize(
-    ("text", "count"), [("(999.94 ± 0.15) mV/g", 3), ("3 of 4", 3), ("12 samples", 2), ("4 steps", 2)]
+    ("text", "count"),
+    [
+        ("(999.94 ± 0.15) mV/g", 3),
+        ("3 of 4", 3),
+        ("12 samples", 2),
+        ("4 steps", 2),
+        ("0.95 V to 1.05 V", 3),
+        ("1 mV/g 2 °C 3 % 4 g₀ 5 °", 5),
+    ],
 )
 def test_everything_else_breaks_as_before(text, count):
     assert lines(text) == count

@@ -156,3 +156,11 @@ def test_the_links_of_a_stand_heed_the_stop_while_they_are_opened(full):
     wish = Stop()
     with pytest.raises(StoppedError):
         Links(wish).serial(OnSerialLine(driver="zaber", url=f"socket://127.0.0.1:{full}"), "stage")
+
+
+def test_the_links_of_a_stand_heed_the_stop_while_a_name_is_looked_up(monkeypatch):
+    silence = Event()
+    monkeypatch.setattr(socket, "getaddrinfo", lambda *_: silence.wait(60) and [])
+    with pytest.raises(StoppedError):
+        Links(stop).name_of("socket://bench-7:1")
+    silence.set()

@@ -1,5 +1,6 @@
 import socket
 import sys
+from threading import Event
 
 import pytest
 
@@ -42,6 +43,21 @@ def test_a_host_that_nobody_knows_keeps_its_name(monkeypatch):
 
     monkeypatch.setattr(socket, "getaddrinfo", unknown)
     assert one_name("socket://Bench-7:1") == "socket://bench-7:1"
+
+
+@pytest.mark.parametrize("address", ["socket://bench-7:1", "socketcand:can0?host=bench-7&port=2"])
+def test_nobody_waits_for_a_name_server_that_is_silent(monkeypatch, address):
+    class StoppedError(Exception):
+        """Somebody stops."""
+
+    def stop():
+        raise StoppedError
+
+    silence = Event()
+    monkeypatch.setattr(socket, "getaddrinfo", lambda *_: silence.wait(60) and [])
+    with pytest.raises(StoppedError):
+        one_name(address, stop)
+    silence.set()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="ports have no second names in a folder on Windows")

@@ -212,3 +212,8 @@ def test_what_is_counted_has_a_wording_for_one(source):
 )
 def test_a_number_before_a_plural_is_noticed(key, wrong):
     assert wrongly_plural(key, {"points", "rows", "times"}) is wrong
+
+
+def test_in_ukrainian_a_number_is_said_in_the_form_of_one_too_which_is_that_of_21():
+    counted = [message.string for message in translated("uk") if not isinstance(message.id, str)]
+    assert [one for one, *_, many in counted if "{count" in many and "{count" not in one] == []

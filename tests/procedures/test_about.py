@@ -10,6 +10,7 @@ from tumble.procedures.programmes import about_programme, shipped_programmes
     ("text", "said"),
     [
         ("# Flips, then\n# a sweep.\nname = 'x'\n# of no concern\n", "Flips, then a sweep."),
+        ("\ufeff# Flips, as Notepad saves them.\n", "Flips, as Notepad saves them."),
         ("\n\n#Flips.\n\n# another\n", "Flips."),
         ("name = 'x'  # a remark\n", ""),
         ("", ""),

@@ -10,10 +10,12 @@ from PySide6.QtWidgets import QApplication, QMenu
 from tumble.app.cut_off import CutOff
 from tumble.app.stand import load_stand
 from tumble.window.screens.cut_off_view import CutOffView
+from tumble.window.screens.records import RecordsScreen
 from tumble.window.widgets.action_menu import ActionButton
 from tumble.window.widgets.instrument_cards import InstrumentCards
 from tumble.window.widgets.queue_view import QueueView
 from tumble.window.widgets.table import Table
+from tumble.window.work.background import Background
 from tumble.window.work.run_queue import Entry
 
 MOUSE, KEY = QContextMenuEvent.Reason.Mouse, QContextMenuEvent.Reason.Keyboard
@@ -147,6 +149,21 @@ def cut_off(tmp_path):
         stand_name="bench-1",
         began_at=datetime(2026, 1, 1, tzinfo=UTC),
     )
+
+
+def enabled(table):
+    return [action.isEnabled() for action in table.actions()[:-1]]
+
+
+def test_while_the_store_is_read_there_is_nothing_to_do_with_a_record(qtbot, settings, tmp_path):
+    background = Background()
+    screen = RecordsScreen(background, lambda: tmp_path)
+    qtbot.addWidget(screen)
+    for reading in (background, screen.surveyor):
+        reading.leave()
+    assert enabled(screen.table) == [False] * 5
+    assert enabled(screen.cut_off.table) == [False] * 2
+    assert not screen.cut_off.resume_button.isEnabled()
 
 
 def test_a_card_of_an_instrument_is_copied_from_its_menu(shown):

@@ -3,10 +3,12 @@
 from threading import current_thread, main_thread
 
 import pytest
+from PySide6.QtGui import QFont, QFontMetrics
+from PySide6.QtWidgets import QPushButton
 
 from tumble.app.stand import load_stand
 from tumble.window.look.theme import POINT_SIZE
-from tumble.window.widgets.programme_box import ProgrammeBox
+from tumble.window.widgets.programme_box import ProgrammeBox, title_beside
 from tumble.window.widgets.run_form import RunForm
 from tumble.window.work.background import Background
 
@@ -69,6 +71,17 @@ def test_one_that_cannot_be_read_says_why_and_takes_nothing(form, takes, tmp_pat
     assert takes(form.programme, absent) == ""
 
 
+def test_a_file_that_was_mended_is_read_anew_when_it_is_chosen_again(form, tmp_path):
+    dialogs = []
+    form.dialog_wanted.connect(dialogs.append)
+    for text in ("", OWN):
+        (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+        form.findChild(QPushButton).click()
+        dialogs[-1].chosen.emit(tmp_path / "own.toml")
+    assert form.programme.about(form.chosen) == "Six angles, for a unit in a hurry."
+    assert form.summary.text() == "6 points, 1 mounting, about 1:17"
+
+
 def test_each_is_asked_once_until_the_stand_is_another(qtbot, takes, background):
     asked = []
     box = ProgrammeBox(lambda name: asked.append(name) or "1 point", str.upper, background)
@@ -100,6 +113,18 @@ def test_the_list_opens_while_what_they_take_is_worked_out(qtbot, background):
     qtbot.waitUntil(lambda: box.takes("a") == "1 point")
     assert main_thread() not in asked_in
     box.hidePopup()
+
+
+@pytest.mark.parametrize(
+    "title", ["seed", "a folder of somebody/a programme with a long name for the second bench.toml"]
+)
+def test_a_name_leaves_room_for_what_a_programme_takes(qapp, title):
+    takes, bold = "430 points, 11 mountings, about 27:45", QFont(qapp.font())
+    bold.setBold(True)
+    shown = title_beside(takes, title, qapp.font(), 580)
+    wide = QFontMetrics(bold).horizontalAdvance(shown) + QFontMetrics(qapp.font()).horizontalAdvance(takes)
+    assert wide <= 580
+    assert (shown[:3], shown[-3:]) == (title[:3], title[-3:])
 
 
 def test_the_list_has_room_for_all_that_is_said(qtbot, background):

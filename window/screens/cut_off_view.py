@@ -42,6 +42,7 @@ class CutOffView(QWidget):
         layout = QVBoxLayout(self)
         layout.addWidget(self.table, stretch=1)
         layout.addWidget(FoldingRow((buttons_at_left((self.resume_button,)), others)))
+        self._refresh()
 
     def _button(self, text: str, wanted: SignalInstance) -> ActionButton:
         return ActionButton(self.table.offer(text, partial(self._want, wanted)))

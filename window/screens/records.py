@@ -90,6 +90,7 @@ class RecordsScreen(QWidget):
         self._rest.setSingleShot(True)
         self._rest.timeout.connect(self._draw_trend)
         self.shown.connect(self._rest.start)
+        self._refresh_buttons()
         self.refresh()
 
     def refresh(self) -> None:

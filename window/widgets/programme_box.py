@@ -5,7 +5,7 @@ from functools import cache, partial
 from typing import Final, TypeAlias
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QPainter
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter
 from PySide6.QtWidgets import QComboBox, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from tumble.window.look.theme import colours
@@ -33,11 +33,10 @@ class ProgrammeBox(QComboBox):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._takes, self._background = takes, background
-        self._taken: dict[str, str] = {}
-        self.about = cache(about)
+        self._takes, self._about, self._background = takes, about, background
         self.setItemDelegate(_Described(self))
         self.setStyleSheet("QComboBox { combobox-popup: 0; }")  # a list beside the box, and none over the whole screen
+        self.forget()
 
     def takes(self, name: str) -> str:
         """What a programme takes; empty until that is known."""
@@ -47,8 +46,9 @@ class ProgrammeBox(QComboBox):
         return self._taken[name]
 
     def forget(self) -> None:
-        """Ask anew what they take, since the stand is another one."""
-        self._taken = {}
+        """Ask anew, since the stand is another one, or a file says something else."""
+        self._taken: dict[str, str] = {}
+        self.about = cache(self._about)
 
     def room_px(self) -> int:
         """Width of the list."""
@@ -90,11 +90,20 @@ class _Described(QStyledItemDelegate):
         ink, pale = (look.highlighted, look.highlighted) if chosen else (look.ink, look.pale)
         inside = filled.rect.adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
         name = _name(index)
+        takes = self._box.takes(name)
         painter.save()
-        _write(painter, inside, title, ink, bold=True)
-        _write(painter, inside, self._box.takes(name), pale, Qt.AlignmentFlag.AlignRight)
+        _write(painter, inside, title_beside(takes, title, filled.font, inside.width()), ink, bold=True)
+        _write(painter, inside, takes, pale, Qt.AlignmentFlag.AlignRight)
         _write(painter, inside.adjusted(0, filled.fontMetrics.height(), 0, 0), self._box.about(name), pale)
         painter.restore()
+
+
+def title_beside(takes: str, title: str, font: QFont, room_px: int) -> str:
+    """As much of both ends of a title as stands in bold beside what a programme takes, on one line of so much room."""
+    left_px = room_px - QFontMetrics(font).horizontalAdvance(f"{takes}  ")
+    bold = QFont(font)
+    bold.setBold(True)
+    return QFontMetrics(bold).elidedText(title, Qt.TextElideMode.ElideMiddle, left_px)
 
 
 def _write(

@@ -120,9 +120,15 @@ class RunForm(QWidget):
 
     def _choose_file(self) -> None:
         dialog = FileDialog(tr("Programme"), Path.cwd(), tr("Programmes (*.toml)"))
-        dialog.chosen.connect(lambda path: self.add_programme(str(path)))
+        dialog.chosen.connect(self._choose_anew)
         dialog.dismissed.connect(self.await_scan)
         self.dialog_wanted.emit(dialog)
+
+    def _choose_anew(self, path: Path) -> None:
+        """Choose a file, which may have been mended since it was chosen before."""
+        self.programme.forget()
+        self.add_programme(str(path))
+        self._programme_chosen()
 
     def _programme_chosen(self) -> None:
         self._remember()

@@ -193,7 +193,7 @@ class StandSession:
         brought to rest. Raises `InputError`, `JobError`, `DeviceError`.
         """
         with ExitStack() as stack:
-            stack.enter_context(holding(self.loaded, "no unit yet"))
+            stack.enter_context(holding(self.loaded, "no unit yet", check))
             connected = connect(self.loaded, attendant=attendant, past=past, check=check)
             stack.callback(connected.links.close)
             stand = connected.stand

@@ -1,5 +1,6 @@
 """Questions before answers: a table that contradicts its own description is asked about, not explained."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -28,6 +29,10 @@ _CLEARER = 20.0
 """Another reading of the table must leave so many times less than the description does."""
 _MOSTLY = 0.6
 """A block of which more than this part is far off comes from another mount."""
+_WAVES = 0.5
+"""As long as waves of its own leave less than this part of what is off; else it was disturbed."""
+_WAVING = 8
+"""Rows of a block of which waves leave something."""
 _RESOLUTION = 1e-12
 _COARSE = 7.0
 """A rounding step of so many standard deviations of a dwell is twice as large in effect as the noise."""
@@ -140,8 +145,11 @@ def _mounts(observations: Observations) -> str:
     residual = robust_residual(basis(observations), observations.output_v)
     noise_v = min(_noise_v(observations, blocks), float(1.4826 * np.median(np.abs(residual))))
     rows = np.bincount(blocks)
-    residual -= (np.bincount(blocks, residual) / rows)[blocks]  # a bias that jumps is no other mount
+    for inside in _each(blocks):
+        residual[inside] -= np.median(residual[inside])  # a bias that jumps is no other mount
     off = np.bincount(blocks, np.abs(residual) > _CLEARER * max(noise_v, 1e-9)) / rows
+    for block, inside in enumerate(_each(blocks)):
+        off[block] *= _waves(observations, residual, inside)
     if not np.any((off > _MOSTLY) & (rows > 1)):
         return ""
     guessed = _guessed_mounts(observations, blocks)
@@ -157,6 +165,18 @@ def _mounts(observations: Observations) -> str:
     )
 
 
+def _each(blocks: NDArray[np.int64]) -> Iterator[NDArray[np.bool_]]:
+    """The rows of every block, as a mask of all rows."""
+    return (blocks == block for block in range(int(blocks.max()) + 1))
+
+
+def _waves(observations: Observations, residual: FloatArray, inside: NDArray[np.bool_]) -> bool:
+    """Whether two waves explain most of what the rows of a block are off, as in another mount; of few always."""
+    if np.count_nonzero(inside) < _WAVING:
+        return True
+    return bool(np.std(_orthogonal_to_two_waves(observations, inside)) < _WAVES * np.std(residual[inside]))
+
+
 def _orthogonal_to_two_waves(observations: Observations, inside: NDArray[np.bool_]) -> FloatArray:
     angle = np.deg2rad(observations.angle_deg[inside])
     waves = [wave(order * angle) for order in (1, 2) for wave in (np.sin, np.cos)]
@@ -166,11 +186,11 @@ def _orthogonal_to_two_waves(observations: Observations, inside: NDArray[np.bool
 
 def _noise_v(observations: Observations, blocks: NDArray[np.int64]) -> float:
     """Typical scatter of a block about two waves of its own: what any mount could explain."""
-    left = []
-    for block in range(int(blocks.max()) + 1):
-        inside = blocks == block
-        if np.count_nonzero(inside) >= 8:
-            left.append(np.std(_orthogonal_to_two_waves(observations, inside)))
+    left = [
+        np.std(_orthogonal_to_two_waves(observations, inside))
+        for inside in _each(blocks)
+        if np.count_nonzero(inside) >= _WAVING
+    ]
     return float(np.median(left)) if left else float("inf")
 
 
@@ -194,8 +214,7 @@ def _guessed_mounts(observations: Observations, blocks: NDArray[np.int64]) -> ND
     centre, scale = float(np.median(volts)), float(np.ptp(volts)) / 2
     nominal = {mount: centre + scale * _ax(mount, observations.angle_deg) for mount in MOUNTS}
     guessed = np.full(len(volts), "face-up", dtype="<U10")
-    for block in range(int(blocks.max()) + 1):
-        inside = blocks == block
+    for inside in _each(blocks):
         misfit = {mount: float(np.sum((volts[inside] - nominal[mount][inside]) ** 2)) for mount in MOUNTS}
         closest = min(misfit.values())
         guessed[inside] = next(mount for mount in MOUNTS if misfit[mount] <= 1.05 * closest + 1e-12)
