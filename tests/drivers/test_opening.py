@@ -2,11 +2,11 @@
 
 import socket
 import threading
-import time
 from threading import Event
 
 import numpy as np
 import pytest
+from somebody_stops import Stop, StoppedError
 
 from tumble.drivers.chamber.modbus import ModbusChamber
 from tumble.drivers.chamber.table import ModbusChamberTable
@@ -17,22 +17,6 @@ from tumble.drivers.links.opened import Links
 from tumble.drivers.links.opening import opened_unless_stopped
 from tumble.drivers.links.serial_link import SerialLink
 from tumble.drivers.tables import OnSerialLine
-
-
-class StoppedError(Exception):
-    """Somebody stops."""
-
-
-class Stop:
-    """Raises once it was called three times, and notes when."""
-
-    def __init__(self):
-        self.moments_s = [time.monotonic()]
-
-    def __call__(self):
-        self.moments_s.append(time.monotonic())
-        if len(self.moments_s) > 3:
-            raise StoppedError
 
 
 def stop():

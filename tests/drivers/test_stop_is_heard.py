@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import serial
 from scpi_bench import emulated
+from somebody_stops import Stop, StoppedError
 from test_lines import counted, form
 
 from tumble.drivers.attention import Attention, AttentiveClock
@@ -55,22 +56,6 @@ SILENT = {
     "drive": (CIA402, HEAD),
     "can": (CAN, DAQ),
 }
-
-
-class StoppedError(Exception):
-    """Somebody stops."""
-
-
-class Stop:
-    """Raises once it was called three times, and notes when."""
-
-    def __init__(self):
-        self.moments_s = [time.monotonic()]
-
-    def __call__(self):
-        self.moments_s.append(time.monotonic())
-        if len(self.moments_s) > 3:
-            raise StoppedError
 
 
 @pytest.fixture
