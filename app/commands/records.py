@@ -12,7 +12,7 @@ from tumble.app.exits import Exit
 from tumble.app.opening import open_store
 from tumble.app.recall import unprotected
 from tumble.app.record_console import listing, show_parameters
-from tumble.app.record_effects import effects_of
+from tumble.calibrations.records.findings import effects_of
 from tumble.app.terminal import labelled, say
 from tumble.app.verifying import Finding, Judgement, leftovers, verified_record
 from tumble.calibrations.core.verdict import Model, Outcome
@@ -124,7 +124,7 @@ def compare_records(first: str, second: str, folder: Path) -> None:
 @options.store
 @click.option("--json", "json_path", type=options.RECORD, default=Path("-"), help="File; standard output without.")
 def export(record_id: str, folder: Path, json_path: Path) -> None:
-    """Export a record as JSON (tumble.record/4; older records in their own format)."""
+    """Export a record as JSON (tumble.record/5; older records in their own format)."""
     options.write_json(document(open_store(folder).get(record_id)), json_path)
 
 

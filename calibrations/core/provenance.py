@@ -22,6 +22,8 @@ class Provenance:
 
     serial_number: str
     """Of the unit under test."""
+    lot: str = ""
+    """In which the unit was made."""
     operator: str = ""
     programme_name: str = ""
     programme_sha256: str = ""

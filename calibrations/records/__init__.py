@@ -6,7 +6,7 @@
 - `verify.verify`: whether files and record are untouched and the numbers come back from the raw files.
 - `chain.chains`: whether records were deleted or altered past the triggers.
 - `compare.compare`: what changed from one record to another, and whether that is significant.
-- `export.document`, `export.document_text`: a record as JSON (`tumble.record/4`); `export.is_intact` checks one.
+- `export.document`, `export.document_text`: a record as JSON (`tumble.record/5`); `export.is_intact` checks one.
 - `raw.file_sha256`: the hash that ties a record to a raw file.
 - `errors.StoreError`, `errors.RecordError`: what goes wrong.
 - `schema.METADATA`: the tables, for SQLite and PostgreSQL; `migrations`: stores of older versions.

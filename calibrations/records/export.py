@@ -1,4 +1,4 @@
-"""A record as one JSON document, `tumble.record/4`, that carries its own hash."""
+"""A record as one JSON document, `tumble.record/5`, that carries its own hash."""
 
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -6,7 +6,7 @@ from typing import Any
 
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.records.canonical import canonical_sha256, canonical_text, plain
-from tumble.calibrations.records.old_formats import JUDGED_SINCE, METHODS_SINCE, OLD_WORDS, joined
+from tumble.calibrations.records.old_formats import JUDGED_SINCE, LOTS_SINCE, METHODS_SINCE, OLD_WORDS, joined
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.times import utc_text
 
@@ -47,20 +47,27 @@ def _of_any_method(record: Record) -> dict[str, Any]:
         "method_version": record.method_version,
         **(asdict(record.link) if record.link else {}),
         "verdict": record.verdict.as_json(),
-        "provenance": flat(record.provenance),
+        "provenance": _provenance(record),
         "parameters": plain(record.models_json or {}),
     }
 
 
 def _of_old_format(record: Record) -> dict[str, Any]:
     """What is spelt in another way up to format 3."""
-    provenance = flat(record.provenance)
+    provenance = _provenance(record)
     del provenance["sources"]
     verdict = record.verdict
     return {
         "verdict": verdict.as_json() if record.format_version >= JUDGED_SINCE else OLD_WORDS[verdict.outcome],
         "provenance": provenance | joined(record.provenance.sources),
     }
+
+
+def _provenance(record: Record) -> dict[str, Any]:
+    provenance = flat(record.provenance)
+    if record.format_version < LOTS_SINCE:
+        del provenance["lot"]
+    return provenance
 
 
 def flat(data: Provenance | LimitCheck) -> dict[str, Any]:

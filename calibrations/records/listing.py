@@ -10,6 +10,7 @@ from typing import Any, Final
 
 from sqlalchemy import Column, ColumnElement, Connection, Index, Select, func, select
 
+from tumble.calibrations.records.findings import line_of
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.schema import RECORDS
 from tumble.calibrations.records.times import utc_text
@@ -21,7 +22,7 @@ MEASURED_AT: Final = func.coalesce(RECORDS.c.measured_at, RECORDS.c.created_at)
 """Start of the run, or when the record was made where the source does not say."""
 NEWEST_FIRST: Final = (MEASURED_AT.desc(), RECORDS.c.created_at.desc(), RECORDS.c.sequence.desc(), RECORDS.c.id.desc())
 INDEX: Final = Index(
-    "ix_records_search",
+    "ix_records_found",
     MEASURED_AT,
     RECORDS.c.created_at,
     RECORDS.c.sequence,
@@ -31,10 +32,12 @@ INDEX: Final = Index(
     RECORDS.c.stand_name,
     RECORDS.c.method,
     RECORDS.c.outcome,
+    RECORDS.c.lot,
+    RECORDS.c.findings,
     RECORDS.c.measured_at,  # without it SQLite takes the expression for one that needs the record
 )
-EARLIER_INDEX: Final = "ix_records_listing"
-"""What was in its place: without stand and method."""
+EARLIER_INDEXES: Final = ("ix_records_listing", "ix_records_search")
+"""What was in its place: without stand and method, then without lot and findings."""
 
 
 def newest(wanted: Wanted, limit: int) -> Select[Any]:
@@ -66,28 +69,35 @@ def teach_folding(connection: Connection) -> None:
 
 
 def _conditions(wanted: Wanted) -> list[ColumnElement[bool]]:
-    part = wanted.part_of_serial_number
+    unit, lot = wanted.part_of_serial_number, wanted.part_of_lot
     conditions = [
-        _contains(part) if part else None,
+        _contains(RECORDS.c.serial_number, unit) if unit else None,
+        _contains(RECORDS.c.lot, lot) if lot else None,
         RECORDS.c.programme_name == wanted.programme_name if wanted.programme_name else None,
         RECORDS.c.stand_name == wanted.stand_name if wanted.stand_name else None,
         RECORDS.c.method == wanted.method if wanted.method else None,
         RECORDS.c.outcome == str(wanted.verdict) if wanted.verdict else None,
+        None if wanted.finding is None else _found(wanted.finding),
         utc_text(wanted.since) <= MEASURED_AT if wanted.since else None,
         utc_text(wanted.until) >= MEASURED_AT if wanted.until else None,
     ]
     return [condition for condition in conditions if condition is not None]
 
 
-def _contains(part: str) -> ColumnElement[bool]:
+def _found(name: str) -> ColumnElement[bool]:
+    """Whether something was found in a record; an empty name: nothing was."""
+    return func.instr(RECORDS.c.findings, line_of(name)) > 0 if name else RECORDS.c.findings == ""
+
+
+def _contains(column: Column[str], part: str) -> ColumnElement[bool]:
     """LIKE of SQLite folds the letters of ASCII, and those alone, faster than a function does.
 
-    The function is called for every unit once, and not for each of its records. The index is read in its order all the
-    same: by the units that fit, which may be all of them, SQLite would read every record.
+    The function is called for every unit or lot once, and not for each of its records. The index is read in its order
+    all the same: by the units that fit, which may be all of them, SQLite would read every record.
     """
     if part.isascii():
-        return RECORDS.c.serial_number.contains(part, autoescape=True)
-    units = select(RECORDS.c.serial_number).distinct().cte("units").prefix_with("MATERIALIZED")
-    fitting = func.instr(func.folded(units.c.serial_number), part.casefold()) > 0
-    in_order_of_listing = RECORDS.c.serial_number + ""
-    return in_order_of_listing.in_(select(units.c.serial_number).where(fitting))
+        return column.contains(part, autoescape=True)
+    names = select(column.label("name")).distinct().cte(f"every_{column.name}").prefix_with("MATERIALIZED")
+    fitting = func.instr(func.folded(names.c.name), part.casefold()) > 0
+    in_order_of_listing = column + ""
+    return in_order_of_listing.in_(select(names.c.name).where(fitting))

@@ -1,7 +1,8 @@
-"""Records of formats 1 to 3, and what stores of version 1 leave unsaid: all of it is still read.
+"""Records of formats 1 to 4, and what stores of version 1 leave unsaid: all of it is still read.
 
 Format 1 had no closed loop. Up to format 2 the verdict was a word, on the declared model's values alone. Up to
-format 3 there was one method, several raw files stood in one text, and records were not chained.
+format 3 there was one method, several raw files stood in one text, and records were not chained. Up to format 4 no
+record named the lot of its unit.
 """
 
 import tomllib
@@ -20,6 +21,8 @@ JUDGED_SINCE = 3
 """The format from which on a record holds a verdict with its reasons."""
 METHODS_SINCE = 4
 """The format from which on a record names its method and its sources, and is chained."""
+LOTS_SINCE = 5
+"""The format from which on a record names the lot of its unit."""
 
 OLD_WORDS = {Outcome.PASS: "inside", Outcome.FAIL: "outside", Outcome.NO_LIMITS: "not judged"}
 """How older records spell what they decided."""

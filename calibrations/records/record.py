@@ -11,7 +11,7 @@ from tumble.calibrations.core.verdict import Model, Verdict
 from tumble.calibrations.records.old_formats import METHODS_SINCE, model_of, models_of
 from tumble.calibrations.records.parameter import RecordedParameter, parameters_from_json
 
-FORMAT_VERSION = 4
+FORMAT_VERSION = 5
 """Of the records that this program writes: what a record holds and how its hash is taken.
 
 Records of every format are read, see `old_formats`.

@@ -7,6 +7,7 @@ from typing import Any
 from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.verdict import verdict_from_json
 from tumble.calibrations.records.export import content
+from tumble.calibrations.records.findings import text_of
 from tumble.calibrations.records.old_formats import METHODS_SINCE, provenance_of, unsaid, verdict_of
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Link, Record
@@ -43,6 +44,8 @@ def record_row(record: Record) -> dict[str, Any]:
         "verdict": record.verdict.as_json(),
         "complete": record.complete,
         "models": record.models_json,
+        "lot": record.provenance.lot,
+        "findings": text_of(record.result),
         "content_sha256": record.content_sha256,
     }
 

@@ -21,10 +21,10 @@ from sqlalchemy import (
 
 from tumble.calibrations.records.immutability import protect
 
-STORE_VERSION = 2
+STORE_VERSION = 3
 """Of the tables below. A store with a newer one is not opened; an older one is read, and migrated when it is written.
 
-Version 1 knew one method and no chains.
+Version 1 knew one method and no chains, version 2 could not be searched for lots and effects.
 """
 
 METADATA = MetaData()
@@ -66,6 +66,8 @@ RECORDS = Table(
     Column("writer", String),  # null up to format 3, as the next two
     Column("sequence", Integer),
     Column("previous_sha256", String),
+    Column("lot", String, index=True),
+    Column("findings", String),  # see `findings.text_of`
     Index("ix_records_writer_sequence", "writer", "sequence", unique=True),
 )
 

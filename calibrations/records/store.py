@@ -16,6 +16,7 @@ from tumble.calibrations.records.chain import append, next_link, place
 from tumble.calibrations.records.database import open_database, storage_errors
 from tumble.calibrations.records.entry import Entry
 from tumble.calibrations.records.errors import RecordError, StoreError
+from tumble.calibrations.records.findings import names_of
 from tumble.calibrations.records.inventory import Inventory, inventory
 from tumble.calibrations.records.listing import (
     MEASURED_AT,
@@ -139,6 +140,7 @@ class Store:
         *,
         serial_number: str | None = None,
         method: str | None = None,
+        lot: str | None = None,
         programme_name: str | None = None,
         since: datetime | None = None,
         until: datetime | None = None,
@@ -153,6 +155,7 @@ class Store:
         conditions = [
             RECORDS.c.serial_number == serial_number if serial_number is not None else None,
             RECORDS.c.method == method if method is not None else None,
+            RECORDS.c.lot == lot if lot is not None else None,
             RECORDS.c.programme_name == programme_name if programme_name is not None else None,
             utc_text(since) <= MEASURED_AT if since else None,
             utc_text(until) >= MEASURED_AT if until else None,
@@ -185,6 +188,10 @@ class Store:
     def methods(self) -> tuple[str, ...]:
         """Names of the methods of all records, likewise."""
         return self._names_in(RECORDS.c.method)
+
+    def findings(self) -> tuple[str, ...]:
+        """Names of everything that was found in a record, in their order; structure without a name is one."""
+        return tuple(sorted({name for text in self._names_in(RECORDS.c.findings) for name in names_of(text)}))
 
     def recorded_files(self) -> frozenset[Path]:
         """Where the raw files of all records lie that are in a table still, whether these stand or not."""

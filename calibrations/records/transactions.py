@@ -9,7 +9,7 @@ from pathlib import Path
 from sqlalchemy import Connection, Engine, Index, select
 from sqlalchemy.schema import CreateIndex, DropIndex
 
-from tumble.calibrations.records.listing import EARLIER_INDEX, INDEX
+from tumble.calibrations.records.listing import EARLIER_INDEXES, INDEX
 from tumble.calibrations.records.migrations.view import show_as_current
 from tumble.calibrations.records.schema import STORE, STORE_VERSION
 
@@ -21,8 +21,8 @@ BEGIN = "tumble_begin"
 def reading(engine: Engine) -> Iterator[Connection]:
     """One transaction that reads; a store of an older version is seen as one of this version, and not changed."""
     with engine.connect() as connection:
-        if stored_version(connection) == 1:
-            show_as_current(connection)
+        if (version := stored_version(connection)) != STORE_VERSION:
+            show_as_current(connection, version)
         yield connection
 
 
@@ -40,7 +40,8 @@ def writing(engine: Engine) -> Iterator[Connection]:
 
 def _make_listing(connection: Connection) -> None:
     connection.execute(CreateIndex(INDEX, if_not_exists=True))
-    connection.execute(DropIndex(Index(EARLIER_INDEX), if_exists=True))
+    for name in EARLIER_INDEXES:
+        connection.execute(DropIndex(Index(name), if_exists=True))
 
 
 def migrate(engine: Engine) -> Path | None:

@@ -81,7 +81,7 @@ def test_an_exported_record_is_a_document_of_its_own(calibrated, tmp_path):
     )
 
     document = json.loads((tmp_path / "r.json").read_text("utf-8"))
-    assert document["schema"] == "tumble.record/4"
+    assert document["schema"] == "tumble.record/5"
     assert document["result"]["parameters"] == calibrated.document["parameters"]
     assert document["provenance"]["sources"][0]["path"] == calibrated.recording.relative_to(calibrated.store).as_posix()
     assert document["provenance"]["operator"] == "Оксана"

@@ -2,7 +2,7 @@
 
 Run as a program it makes the fixture of the present format, which then stays as it is for good:
 
-    python tests/calibrations/records_examples.py tests/calibrations/fixtures/records_v4.sqlite
+    python tests/calibrations/records_examples.py tests/calibrations/fixtures/records_v5.sqlite
 """
 
 import hashlib

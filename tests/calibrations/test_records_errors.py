@@ -108,8 +108,8 @@ def test_a_database_of_another_program_is_refused_and_left_alone(tmp_path):
 
 def test_a_store_of_a_newer_version_is_refused(store):
     with closing(sqlite3.connect(store.path)) as connection, connection:
-        connection.execute("UPDATE store SET version = 3")
-    with refused(r"a newer version of the program made this store \(version 3, known up to 2\); update the program"):
+        connection.execute("UPDATE store SET version = 4")
+    with refused(r"a newer version of the program made this store \(version 4, known up to 3\); update the program"):
         Store(store.folder)
 
 

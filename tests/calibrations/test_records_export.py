@@ -22,7 +22,7 @@ def record(tmp_path_factory):
 
 def test_a_document_says_what_it_is_and_holds_the_whole_chain(record):
     exported = document(record)
-    assert exported["schema"] == "tumble.record/4"
+    assert exported["schema"] == "tumble.record/5"
     assert exported["result"] == calibration().as_json() | {"verdict": exported["verdict"]}
     assert [each["sha256"] for each in exported["provenance"]["sources"]] == list(record.provenance.source_hashes)
     assert (exported["method"], exported["method_version"], exported["sequence"]) == ("dividing_head", 1, 1)

@@ -65,9 +65,9 @@ def test_a_record_keeps_the_declared_and_the_augmented_model(store, record):
 
 
 def test_a_record_holds_the_whole_loop(record):
-    assert record.format_version == 4
+    assert record.format_version == 5
     assert record.result["loop"] == loop_document(with_k_xx())
-    assert document(record)["schema"] == "tumble.record/4"
+    assert document(record)["schema"] == "tumble.record/5"
     assert is_intact(document(record))
 
 

@@ -18,6 +18,7 @@ from tumble.calibrations.records.migrations import running
 from tumble.calibrations.records.schema import STORE_VERSION
 from tumble.calibrations.records.store import DATABASE, Store
 from tumble.calibrations.records.verify import verify
+from tumble.calibrations.records.wanted import Wanted
 from tumble.calibrations.stand_records.store import StandRecords
 
 FIXTURES = Path(__file__).parent / "fixtures"
@@ -87,7 +88,7 @@ def test_a_record_of_an_old_store_is_intact_before_and_after_the_migration(folde
     assert verify(after, store, refit, "0.2.0").altered == ()
 
 
-@pytest.mark.parametrize("fixture", ["records_v1.sqlite", "records_v2.sqlite", "records_v3.sqlite"])
+@pytest.mark.parametrize("fixture", ["records_v1.sqlite", "records_v2.sqlite", "records_v3.sqlite", "records_v4.sqlite"])
 def test_records_of_every_older_format_go_through_the_migration(tmp_path, fixture):
     shutil.copy(FIXTURES / fixture, tmp_path / DATABASE)
     store = Store.existing(tmp_path)
@@ -218,3 +219,21 @@ def test_a_store_that_another_has_migrated_meanwhile_is_read(folder):
 def test_there_is_a_script_for_every_version():
     scripts = {path.stem for path in Path(running.__file__).parent.glob("versions/version_*.py")}
     assert scripts == {f"version_{number}" for number in range(1, STORE_VERSION + 1)}
+
+
+def test_what_was_found_is_searched_for_before_and_after_the_migration(tmp_path):
+    shutil.copy(FIXTURES / "records_v4.sqlite", tmp_path / DATABASE)
+    store = Store.existing(tmp_path)
+    (record,) = store.newest(Wanted(finding="k_xx"), 10)
+    assert store.newest(Wanted(finding=""), 10) == ()
+    assert store.migrate() == tmp_path / f"{DATABASE}.version-2"
+    assert store.newest(Wanted(finding="k_xx"), 10) == (record,)
+    assert store.findings() == ("k_xx",)
+
+
+def test_a_record_of_before_there_were_lots_says_none_in_its_document(tmp_path):
+    shutil.copy(FIXTURES / "records_v4.sqlite", tmp_path / DATABASE)
+    (record,) = Store.existing(tmp_path).find()
+    assert document(record)["schema"] == "tumble.record/4"
+    assert "lot" not in document(record)["provenance"]
+    assert record.provenance.lot == ""

@@ -23,6 +23,7 @@ from sqlalchemy.dialects import sqlite
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.errors import RecordError
+from tumble.calibrations.records.findings import UNNAMED
 from tumble.calibrations.records.listing import newest
 from tumble.calibrations.records.store import Store
 from tumble.calibrations.records.wanted import Wanted
@@ -224,6 +225,10 @@ def test_what_was_superseded_is_not_among_the_newest(store, several):
         Wanted(part_of_serial_number="b"),
         Wanted(part_of_serial_number="ä"),
         Wanted(stand_name="bench-1", method="triad"),
+        Wanted(part_of_lot="b"),
+        Wanted(part_of_lot="ä"),
+        Wanted(finding="k_xx"),
+        Wanted(finding=""),
     ],
 )
 def test_a_search_reads_no_table_but_an_index(store, several, sought):
@@ -232,7 +237,7 @@ def test_a_search_reads_no_table_but_an_index(store, several, sought):
         wanted = newest(sought, 3)
         query = str(wanted.compile(dialect=sqlite.dialect(), compile_kwargs={"literal_binds": True}))
         plan = " ".join(row[3] for row in database.execute(f"EXPLAIN QUERY PLAN {query}"))
-    assert "USING COVERING INDEX ix_records_search" in plan
+    assert "USING COVERING INDEX ix_records_found" in plan
     assert "TEMP B-TREE" not in plan
 
 
@@ -248,16 +253,17 @@ def test_letters_that_sqlite_does_not_fold_are_folded_once_a_unit(store):
     assert folded == ["ÄB-2"]
 
 
-def test_a_store_with_another_index_gets_this_one_with_the_next_record(store, several):
+@pytest.mark.parametrize("earlier", ["ix_records_listing", "ix_records_search"])
+def test_a_store_with_another_index_gets_this_one_with_the_next_record(store, several, earlier):
     with sqlite3.connect(store.path) as database:
-        database.execute("DROP INDEX ix_records_search")
-        database.execute("CREATE INDEX ix_records_listing ON records (created_at)")
+        database.execute("DROP INDEX ix_records_found")
+        database.execute(f"CREATE INDEX {earlier} ON records (created_at)")
     assert len(store.newest(Wanted(), 10)) == 3
     store.add(entry(calibration()), provenance())
     with sqlite3.connect(store.path) as database:
         names = {row[0] for row in database.execute("SELECT name FROM sqlite_master WHERE name LIKE 'ix_records_%'")}
-    assert "ix_records_search" in names
-    assert "ix_records_listing" not in names
+    assert "ix_records_found" in names
+    assert earlier not in names
 
 
 def test_the_newest_are_found_by_stand_and_method(store):
@@ -269,3 +275,44 @@ def test_the_newest_are_found_by_stand_and_method(store):
     assert len(store.newest(Wanted(method="dividing_head"), 10)) == 2
     assert store.stands() == ("bench-1", "bench-2")
     assert store.methods() == ("dividing_head", "triad")
+
+
+@pytest.mark.parametrize(("part", "lots"), [("", ["", "Ä-1", "B-2"]), ("b", ["B-2"]), ("ä", ["Ä-1"]), ("%", [])])
+def test_the_newest_are_found_by_a_part_of_their_lot(store, part, lots):
+    for lot in ("B-2", "Ä-1", ""):
+        store.add(entry(calibration()), provenance(lot=lot))
+    assert [each.provenance.lot for each in store.newest(Wanted(part_of_lot=part), 10)] == lots
+
+
+def test_all_of_a_lot_are_found_by_its_name(store):
+    for lot in ("B-2", "B-21", ""):
+        store.add(entry(calibration()), provenance(lot=lot))
+    assert [each.provenance.lot for each in store.find(lot="B-2")] == ["B-2"]
+    assert [each.provenance.lot for each in store.find(lot="")] == [""]
+
+
+def with_effects(*names, unexplained=()):
+    """A result in which a closed loop found so much."""
+    recorded = entry(calibration())
+    loop = {"effects": [{"name": name} for name in names], "unexplained": list(unexplained)}
+    return replace(recorded, result={**recorded.result, "loop": {**loop, "declared": recorded.result}})
+
+
+@pytest.mark.parametrize(
+    ("finding", "units"),
+    [
+        (None, ["none", "unnamed", "two", "one"]),
+        ("", ["none"]),
+        ("k_xx", ["two", "one"]),
+        ("k_x", []),
+        ("hysteresis", ["two"]),
+        (UNNAMED, ["unnamed"]),
+    ],
+)
+def test_the_newest_are_found_by_what_was_found_in_them(store, finding, units):
+    store.add(with_effects("k_xx"), provenance(serial_number="one"))
+    store.add(with_effects("k_xx", "hysteresis", "k_xx"), provenance(serial_number="two"))
+    store.add(with_effects(unexplained=[{}]), provenance(serial_number="unnamed"))
+    store.add(with_effects(), provenance(serial_number="none"))
+    assert [each.provenance.serial_number for each in store.newest(Wanted(finding=finding), 10)] == units
+    assert store.findings() == ("hysteresis", "k_xx", UNNAMED)

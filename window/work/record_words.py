@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 
-from tumble.app.record_effects import effects_of, is_unexplained
+from tumble.calibrations.records.findings import effects_of, is_unexplained
 from tumble.calibrations.records.record import Record
 from tumble.drivers.driver import SIMULATED
 from tumble.messages import Message, with_wording

@@ -1,4 +1,4 @@
-"""What the columns of version 2 are in terms of those of version 1, for SQLite, on which alone there was a version 1.
+"""What the columns of one version are in terms of those of the version before, for SQLite.
 
 The view through which an old store is read and the migration use the same expressions.
 """
@@ -11,10 +11,11 @@ from dataclasses import asdict
 from sqlalchemy import Connection
 
 from tumble.calibrations.core.provenance import LimitCheck
-from tumble.calibrations.records.canonical import canonical_text
+from tumble.calibrations.records.canonical import canonical_text, read_json
+from tumble.calibrations.records.findings import text_of
 from tumble.calibrations.records.old_formats import outcome_of, sources_of, unsaid, verdict_of
 
-RECORD_COLUMNS = {
+RECORDS_2 = {
     "method": "unsaid_method()",
     "method_version": "unsaid_method_version()",
     "sources": "sources_of(raw_path, raw_sha256)",
@@ -25,8 +26,10 @@ RECORD_COLUMNS = {
     "sequence": "NULL",
     "previous_sha256": "NULL",
 }
-PARAMETER_COLUMNS = {"given": "given_of(given_alpha0_deg)"}
+PARAMETERS_2 = {"given": "given_of(given_alpha0_deg)"}
 """Name in version 2, expression in version 1."""
+RECORDS_3 = {"lot": "''", "findings": "findings_in(result)"}
+"""Name in version 3, expression in version 2 or 1."""
 
 
 def teach_expressions(connection: Connection) -> None:
@@ -38,6 +41,7 @@ def teach_expressions(connection: Connection) -> None:
     sqlite.create_function("outcome_of", 1, _or_null(_outcome))
     sqlite.create_function("verdict_of", 2, _or_null(_verdict))
     sqlite.create_function("given_of", 1, _or_null(_given))
+    sqlite.create_function("findings_in", 1, _or_null(_findings))
 
 
 def _sources(raw_path: str, raw_sha256: str) -> str:
@@ -51,6 +55,10 @@ def _outcome(word: str) -> str:
 def _verdict(result: str, limits: str) -> str:
     checks = [LimitCheck(**check) for check in json.loads(limits)]
     return canonical_text(verdict_of(json.loads(result), checks).as_json())
+
+
+def _findings(result: str) -> str:
+    return text_of(read_json(result))
 
 
 def _given(value: float) -> str:

@@ -1,4 +1,4 @@
-"""A store of version 1 seen as one of version 2, its file unchanged: it may lie in an archive that cannot be written.
+"""An older store seen as one of the present version, its file unchanged: it may lie in a write-protected archive.
 
 In SQLite a temporary view hides the table of its name (sqlite.org/lang_naming.html); `main.records` is still the table.
 """
@@ -7,15 +7,20 @@ from collections.abc import Mapping
 
 from sqlalchemy import Connection, Table
 
-from tumble.calibrations.records.migrations.expressions import PARAMETER_COLUMNS, RECORD_COLUMNS, teach_expressions
+from tumble.calibrations.records.migrations.expressions import PARAMETERS_2, RECORDS_2, RECORDS_3, teach_expressions
 from tumble.calibrations.records.schema import CHAINS, PARAMETERS, RECORDS
 
 
-def show_as_current(connection: Connection) -> None:
-    """Have the tables of version 1 look like those of version 2, for this connection."""
+def show_as_current(connection: Connection, version: int) -> None:
+    """Have the tables of an older version look like those of the present one, for this connection."""
     teach_expressions(connection)
-    connection.exec_driver_sql(_view(RECORDS, RECORD_COLUMNS))
-    connection.exec_driver_sql(_view(PARAMETERS, PARAMETER_COLUMNS))
+    connection.exec_driver_sql(_view(RECORDS, RECORDS_3 | (RECORDS_2 if version == 1 else {})))
+    if version == 1:
+        _show_what_came_with_2(connection)
+
+
+def _show_what_came_with_2(connection: Connection) -> None:
+    connection.exec_driver_sql(_view(PARAMETERS, PARAMETERS_2))
     nothing = ", ".join(f"NULL AS {column.name}" for column in CHAINS.columns)
     connection.exec_driver_sql(f"CREATE TEMP VIEW {CHAINS.name} AS SELECT {nothing} WHERE 0")
 

@@ -6,15 +6,14 @@ Columns are added and dropped in place: a table made anew would number its rows 
 from alembic import op
 from sqlalchemy import JSON, Column, Integer, String
 
-from tumble.calibrations.records.immutability import sqlite_triggers
-from tumble.calibrations.records.migrations.expressions import PARAMETER_COLUMNS, RECORD_COLUMNS, teach_expressions
+from tumble.calibrations.records.migrations.expressions import PARAMETERS_2, RECORDS_2, teach_expressions
+from tumble.calibrations.records.migrations.unprotected import unprotected
 
 revision = "2"
 down_revision = "1"
 
 _RECORD_KEYS = (("id",), ("supersedes",), ("writer", "sequence"))
 _PARAMETER_KEYS = (("record_id", "model", "name"),)
-_PROTECTED = {"records": _RECORD_KEYS, "parameters": _PARAMETER_KEYS}
 _NEW = (
     Column("method", String),
     Column("method_version", Integer),
@@ -31,9 +30,9 @@ _NEW = (
 def upgrade() -> None:
     """Add the columns, fill them, drop those that they take the place of."""
     teach_expressions(op.get_bind())
-    _drop_triggers()
-    _change_records()
-    _change_parameters()
+    with unprotected({"records": _RECORD_KEYS, "parameters": _PARAMETER_KEYS}):
+        _change_records()
+        _change_parameters()
     op.create_table(
         "chains",
         Column("writer", String, primary_key=True),
@@ -41,21 +40,12 @@ def upgrade() -> None:
         Column("sequence", Integer, nullable=False),
         Column("content_sha256", String, nullable=False),
     )
-    for table, keys in _PROTECTED.items():
-        for statement in sqlite_triggers(table, keys):
-            op.execute(statement)
-
-
-def _drop_triggers() -> None:
-    for table in _PROTECTED:
-        for change in ("update", "delete", "replace"):
-            op.execute(f"DROP TRIGGER IF EXISTS {table}_no_{change}")
 
 
 def _change_records() -> None:
     for column in _NEW:
         op.add_column("records", column)
-    expressions = {{"verdict": "verdict_2"}.get(name, name): said for name, said in RECORD_COLUMNS.items()}
+    expressions = {{"verdict": "verdict_2"}.get(name, name): said for name, said in RECORDS_2.items()}
     _fill("records", expressions)
     for name in ("raw_path", "raw_sha256", "verdict"):
         op.drop_column("records", name)
@@ -65,7 +55,7 @@ def _change_records() -> None:
 
 def _change_parameters() -> None:
     op.add_column("parameters", Column("given", JSON))
-    _fill("parameters", PARAMETER_COLUMNS)
+    _fill("parameters", PARAMETERS_2)
     op.drop_column("parameters", "given_alpha0_deg")
 
 

@@ -1,0 +1,51 @@
+"""What the closed loop found in a result, whatever method it is of."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any, Final
+
+from tumble.calibrations.records.record import Record
+
+UNNAMED: Final = "structure without a name"
+"""Stands for it among the names of effects, none of which has a space."""
+
+
+def effects_of(record: Record) -> tuple[Mapping[str, Any], ...]:
+    """The effects found, of every loop in a result: its own, the one that was closed on it, one of each parameter."""
+    return tuple(_effects(record.result))
+
+
+def is_unexplained(record: Record) -> bool:
+    """Whether a loop found structure without a name."""
+    return _is_unexplained(record.result)
+
+
+def text_of(result: Mapping[str, Any]) -> str:
+    """The names of what was found, each on a line that begins and ends with a line break; empty for nothing."""
+    names = {str(effect["name"]) for effect in _effects(result)} | ({UNNAMED} if _is_unexplained(result) else set())
+    return "\n".join(("", *sorted(names), "")) if names else ""
+
+
+def names_of(text: str) -> tuple[str, ...]:
+    """Undo `text_of`."""
+    return tuple(filter(None, text.split("\n")))
+
+
+def line_of(name: str) -> str:
+    """What the text of a record that found a name contains."""
+    return f"\n{name}\n"
+
+
+def _effects(result: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    for loop in _loops(result):
+        yield from loop.get("effects", ())
+
+
+def _is_unexplained(result: Mapping[str, Any]) -> bool:
+    return any(loop.get("unexplained") for loop in _loops(result))
+
+
+def _loops(result: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    yield result.get("loop", result)
+    parameters = result.get("parameters")
+    if isinstance(parameters, Mapping):
+        yield from (each for each in parameters.values() if "effects" in each)
