@@ -43,13 +43,20 @@ class AtStand:
     connected: Connected
     serial_number: str
     folder: Path
+    lot: str = ""
     operator: str = ""
     effects: Path | None = None
     """Adopted effects in place of those of the folder."""
 
     def job(self, programme: Programme) -> Job:
         """A run of the unit."""
-        return Job(stand=self.stand, programme=programme, serial_number=self.serial_number, operator=self.operator)
+        return Job(
+            stand=self.stand,
+            programme=programme,
+            serial_number=self.serial_number,
+            lot=self.lot,
+            operator=self.operator,
+        )
 
 
 def measure(at: AtStand, programme: Programme, listeners: Sequence[Listener] = ()) -> Path:

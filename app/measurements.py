@@ -106,6 +106,7 @@ def provenance(measurement: Measurement, serial_number: str = "", folder: Path |
     programme = measurement.programme
     return Provenance(
         serial_number=serial_number or (header.serial_number if header else "") or measurement.path.stem,
+        lot=header.lot if header else "",
         operator=header.operator if header else "",
         programme_name=programme.name if programme else "",
         programme_sha256=header.programme_sha256 if header else "",

@@ -189,6 +189,7 @@ def run(
     recording: Place,
     *,
     stand: Place | None = None,
+    lot: str = "",
     operator: str = "",
     answers: Place | None = None,
 ) -> Path:
@@ -196,7 +197,7 @@ def run(
 
     At a stand that is not simulated a person seats the unit; `answers` is a file that answers for whoever is not there.
     """
-    job, path = _job(programme, serial_number, stand, operator), Path(recording)
+    job, path = _job(programme, serial_number, stand, lot, operator), Path(recording)
     with holding(job.stand, serial_number):
         connected = connect(job.stand, _path(answers))
         try:
@@ -214,6 +215,7 @@ def calibrate(
     store: Place,
     *,
     stand: Place | None = None,
+    lot: str = "",
     operator: str = "",
     answers: Place | None = None,
 ) -> Result:
@@ -221,7 +223,7 @@ def calibrate(
 
     `answers` as in `run`.
     """
-    job = _job(programme, serial_number, stand, operator)
+    job = _job(programme, serial_number, stand, lot, operator)
     with holding(job.stand, serial_number):
         connected = connect(job.stand, _path(answers))
         try:
@@ -237,10 +239,10 @@ def records(store: Place) -> "Store":
     return Store(Path(store))
 
 
-def _job(programme: Place, serial_number: str, stand: Place | None, operator: str) -> Job:
+def _job(programme: Place, serial_number: str, stand: Place | None, lot: str, operator: str) -> Job:
     wanted = _programme(programme)
     loaded = load_stand(_path(stand), wanted.method)
-    return Job(stand=loaded, programme=wanted, serial_number=serial_number, operator=operator)
+    return Job(stand=loaded, programme=wanted, serial_number=serial_number, lot=lot, operator=operator)
 
 
 def _programme(programme: Place) -> Programme:

@@ -114,6 +114,8 @@ class Job(Outline):
 
     stand: LoadedStand
     serial_number: str
+    lot: str = ""
+    """In which the unit was made."""
     operator: str = ""
 
     def check(self, points: Iterable[Point]) -> None:
@@ -237,6 +239,7 @@ def _header(job: Job, clock: Clock, purpose: str) -> Header:
     program = program_identity()
     return Header(
         serial_number=job.serial_number,
+        lot=job.lot,
         operator=job.operator,
         programme_text=job.programme.text,
         programme_sha256=job.programme.sha256,

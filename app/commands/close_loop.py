@@ -148,6 +148,7 @@ def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, known: options.K
             connected=connected,
             serial_number=wanted.serial_number,
             folder=known.folder,
+            lot=wanted.lot,
             operator=wanted.operator,
             effects=known.effects,
         )
@@ -174,6 +175,7 @@ def _saying_how_to_go_on(
         if kept:
             stand = ["--stand", str(wanted.stand_path)] if wanted.stand_path else []
             where = ["--serial", wanted.serial_number, "--store", str(known.folder)]
+            where += ["--lot", wanted.lot] if wanted.lot else []
             where += ["--effects", str(known.effects)] if known.effects else []
             words = shlex.join([*map(str, kept), *stand, *where, "--experiments", str(MOST_EXPERIMENTS)])
             goes_on = Message(

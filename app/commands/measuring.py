@@ -34,6 +34,7 @@ class Wanted:
     stand_path: Path | None
     programme: str
     serial_number: str
+    lot: str
     operator: str
     answers: Path | None
     attended: bool
@@ -91,6 +92,7 @@ def measures(function: Callable[..., None]) -> Callable[..., None]:
             stand=loaded,
             programme=programme,
             serial_number=wanted.serial_number,
+            lot=wanted.lot,
             operator=wanted.operator,
         )
         with wanted.connected(loaded) as connected:
@@ -114,6 +116,7 @@ def _asking(function: Callable[..., None], serial: Callable[..., Any]) -> Callab
         options.attended,
         options.answers,
         options.operator,
+        options.lot,
         serial,
         click.option("--programme", default="seed", show_default=True, help="Name of a shipped programme, or a file."),
         options.stand,

@@ -97,6 +97,7 @@ serial_of_file = click.option(
     callback=name,
     help="Serial number of the unit, where the file does not say.",
 )
+lot = click.option("--lot", default="", callback=name, help="Lot in which the unit was made; recorded.")
 operator = click.option("--operator", default="", callback=name, help="Who is at the stand; recorded.")
 answers = click.option("--answers", type=EXISTING, help="Answers to prompts, for a run that nobody attends (TOML).")
 attended = click.option(

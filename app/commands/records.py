@@ -12,12 +12,12 @@ from tumble.app.exits import Exit
 from tumble.app.opening import open_store
 from tumble.app.recall import unprotected
 from tumble.app.record_console import listing, show_parameters
-from tumble.calibrations.records.findings import effects_of
 from tumble.app.terminal import labelled, say
 from tumble.app.verifying import Finding, Judgement, leftovers, verified_record
 from tumble.calibrations.core.verdict import Model, Outcome
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.export import document
+from tumble.calibrations.records.findings import effects_of
 from tumble.calibrations.records.old_formats import OLD_WORDS, outcome_of
 from tumble.calibrations.records.record import Record
 from tumble.messages import Message, with_wording
@@ -30,8 +30,9 @@ def command() -> None:
 
 @command.command("list")
 @click.option("--serial", "serial_number", help="Only this unit.")
+@click.option("--lot", help="Only units of this lot.")
 @click.option("--method", help="Only this method.")
-@click.option("--programme", help="Only this programme.")
+@click.option("--programme", "programme_name", help="Only this programme.")
 @click.option("--since", type=click.DateTime(), help="Measured then or later (UTC).")
 @click.option("--until", type=click.DateTime(), help="Measured then or earlier (UTC).")
 @click.option(
@@ -42,20 +43,16 @@ def command() -> None:
 @options.store
 @options.json_out
 def list_records(
-    serial_number: str | None,
-    method: str | None,
-    programme: str | None,
     since: datetime | None,
     until: datetime | None,
     verdict: str | None,
     folder: Path,
     json_path: Path | None,
+    **only: str | None,
 ) -> None:
     """List the records that stand, each in its last revision."""
     found = open_store(folder).find(
-        serial_number=serial_number,
-        method=method,
-        programme_name=programme,
+        **only,
         since=since.replace(tzinfo=UTC) if since else None,
         until=until.replace(tzinfo=UTC) if until else None,
         verdict=outcome_of(verdict) if verdict else None,
@@ -100,6 +97,8 @@ def _origin(record: Record) -> Iterator[str]:
     version = Message("{method}, version {version}", method=record.method, version=record.method_version)
     yield labelled(Message("method"), version)
     yield labelled(Message("unit"), origin.serial_number)
+    if origin.lot:
+        yield labelled(Message("lot"), origin.lot)
     yield labelled(Message("programme"), f"{origin.programme_name} {origin.programme_sha256[:12]}")
     yield labelled(Message("measured"), origin.measured_at)
     for source in origin.sources:

@@ -90,7 +90,11 @@ def _go_on(
     header = unfinished.recording.header
     loaded = load_same_stand(unfinished.recording, stand_path, partial(say, err=True))
     job = Job(
-        stand=loaded, programme=unfinished.programme, serial_number=header.serial_number, operator=header.operator
+        stand=loaded,
+        programme=unfinished.programme,
+        serial_number=header.serial_number,
+        lot=header.lot,
+        operator=header.operator,
     )
     plan = job.plan()
     job.check(unfinished.recording.points)

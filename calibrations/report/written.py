@@ -85,6 +85,7 @@ def _facts(front: Front) -> dict[str, str]:
     provenance = front.provenance
     return {
         Message("Measured"): dated(provenance.measured_at, language()),
+        Message("Lot"): provenance.lot,
         Message("Operator"): provenance.operator,
         Message("Programme"): provenance.programme_name,
         Message("Stand"): provenance.stand_name,

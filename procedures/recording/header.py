@@ -60,6 +60,8 @@ class Header:
     method: str = FIRST
     """Name of the method whose points these are."""
     method_version: int = 1
+    lot: str = ""
+    """In which the unit was made; empty where nobody said so."""
     format_version: int = FORMAT_VERSION
 
     @property

@@ -35,7 +35,8 @@ def calibrated(tmp_path_factory):
     folder = tmp_path_factory.mktemp("calibrated")
     with cheaply(blank="figures"), tracing_once():
         ran = tumble(
-            "calibrate", "--programme", "quick", "--serial", "SN-7", "--operator", "Оксана",
+            "calibrate", "--programme", "quick", "--serial", "SN-7", "--lot", "L 26/3",
+            "--operator", "Оксана",
             "--store", folder / "store", "--json", folder / "fit.json",
         )  # fmt: skip
     assert ran.status == 0, ran.err

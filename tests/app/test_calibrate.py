@@ -52,10 +52,10 @@ def test_what_was_put_in_comes_out(calibrated, name):
     assert abs(found["value"] - PUBLISHED[name]) < 3 * found["standard_uncertainty"]
 
 
-def test_the_recording_knows_unit_operator_and_programme(calibrated):
+def test_the_recording_knows_unit_lot_operator_and_programme(calibrated):
     header = read_recording(calibrated.recording).header
 
-    assert (header.serial_number, header.operator) == ("SN-7", "Оксана")
+    assert (header.serial_number, header.lot, header.operator) == ("SN-7", "L 26/3", "Оксана")
     assert 'name = "quick"' in header.programme_text
 
 

@@ -85,6 +85,14 @@ def test_an_exported_record_is_a_document_of_its_own(calibrated, tmp_path):
     assert document["result"]["parameters"] == calibrated.document["parameters"]
     assert document["provenance"]["sources"][0]["path"] == calibrated.recording.relative_to(calibrated.store).as_posix()
     assert document["provenance"]["operator"] == "Оксана"
+    assert document["provenance"]["lot"] == "L 26/3"
+
+
+def test_records_are_listed_by_lot_and_say_it(calibrated):
+    assert [each["id"] for each in listed(calibrated.store, "--lot", "L 26/3")] == [calibrated.document["record"]]
+    assert listed(calibrated.store, "--lot", "L 26") == []
+    said = tumble("records", "show", calibrated.document["record"], "--store", calibrated.store).out
+    assert "lot        L 26/3" in said.splitlines()
 
 
 def test_a_comparison_says_what_changed_significantly(copied, write, tmp_path):

@@ -75,6 +75,7 @@ def flips_only() -> Calibration:
 def provenance(**changes) -> Provenance:
     texts = {
         "serial_number": "SN-1",
+        "lot": "L-26",
         "operator": "A. Operator",
         "programme_name": "seed-2008",
         "stand": {"name": "bench-1", "head": {"limits_deg": [-180.0, 760.0], "accuracy_arcsec": 5.0}},

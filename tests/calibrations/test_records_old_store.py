@@ -88,7 +88,7 @@ def test_a_record_of_an_old_store_is_intact_before_and_after_the_migration(folde
     assert verify(after, store, refit, "0.2.0").altered == ()
 
 
-@pytest.mark.parametrize("fixture", ["records_v1.sqlite", "records_v2.sqlite", "records_v3.sqlite", "records_v4.sqlite"])
+@pytest.mark.parametrize("fixture", [f"records_v{number}.sqlite" for number in (1, 2, 3, 4)])
 def test_records_of_every_older_format_go_through_the_migration(tmp_path, fixture):
     shutil.copy(FIXTURES / fixture, tmp_path / DATABASE)
     store = Store.existing(tmp_path)

@@ -123,7 +123,15 @@ def test_the_same_input_gives_the_same_page(page):
 
 def test_the_head_says_what_was_measured_when_and_by_whom(page):
     text = text_of(page)
-    for expected in ("SN-1", "2026-11-03T10:15:00+02:00", "A. Operator", "seed-2008", "Record R-17", "Revision 3"):
+    for expected in (
+        "SN-1",
+        "2026-11-03T10:15:00+02:00",
+        "L-26",
+        "A. Operator",
+        "seed-2008",
+        "Record R-17",
+        "Revision 3",
+    ):
         assert expected in text
 
 

@@ -61,11 +61,25 @@ def test_units_are_measured_one_after_the_other_to_their_records(driver, tiny, n
     assert {record.id for record in driver.window.records.records} == {entry.record_id for entry in entries(driver)}
 
 
+def test_the_lot_of_a_unit_goes_from_the_form_to_its_record(driver, tiny, no_report):
+    driver.run.form.lot.setText(" L-26 ")
+    add(driver, tiny, "A-1")
+    driver.run.form.lot.setText("L-27")
+    add(driver, tiny, "B-2")
+    driver.run.form.lot.clear()
+    assert [row[1] for row in driver.run.queue_view.table.texts()] == ["L-26", "L-27"]
+    driver.press(Qt.Key.Key_F4)
+    wait_for(driver, Stage.JUDGED, Stage.JUDGED)
+    driver.wait(lambda: len(driver.window.records.records) == 2)
+    lots = {each.provenance.serial_number: each.provenance.lot for each in driver.window.records.records}
+    assert lots == {"A-1": "L-26", "B-2": "L-27"}
+
+
 def test_repeats_are_runs_of_their_own(driver, tiny):
     driver.window.open(driver.run)
     driver.run.controls.repeats.setValue(3)
     add(driver, tiny, "A-1")
-    assert [row[2] for row in driver.run.queue_view.table.texts()] == ["1 / 3", "2 / 3", "3 / 3"]
+    assert [row[3] for row in driver.run.queue_view.table.texts()] == ["1 / 3", "2 / 3", "3 / 3"]
     assert driver.run.controls.repeats.value() == 1
 
 

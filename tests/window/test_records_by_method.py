@@ -20,7 +20,7 @@ def records(lent_driver, tmp_path):
     store = Store(tmp_path / "store")
     for day, serial_number in enumerate(("P-1", "P-2"), 1):
         measured_at = f"2026-11-0{day}T10:00:00+00:00"
-        store.add(pendulum(), provenance(serial_number=serial_number, measured_at=measured_at))
+        store.add(pendulum(), provenance(serial_number=serial_number, lot=f"lot {day}", measured_at=measured_at))
     late = {"value": 2.0, "standard_uncertainty": 0.1, "unit": "s", "interval_95": [1.8, 2.2]}
     store.add(
         pendulum(method="clock", parameters={"late": late}),
@@ -144,6 +144,32 @@ def test_a_trend_goes_over_stands(records):
     stand = records.records[-1].provenance.stand_name
     assert trend.plot.getAxis("bottom")._tickLevels == [[(0, stand)]]
     trend.over.setCurrentText("time")
+
+
+def test_a_trend_goes_over_lots(records):
+    trend = records.trend
+    trend.parameter.setCurrentText("period")
+    trend.over.setCurrentText("lots")
+    assert trend.plot.getAxis("bottom")._tickLevels == [[(0, "lot 1"), (1, "lot 2")]]
+    trend.parameter.setCurrentText("late")
+    assert trend.plot.getAxis("bottom")._tickLevels == [[(0, "—")]]
+    trend.over.setCurrentText("time")
+
+
+def test_records_are_searched_by_lot_and_by_what_was_found(lent_driver, records):
+    search = records.search
+    search.lot.setText("2")
+    lent_driver.wait(lambda: [row[8] for row in records.table.texts()] == ["lot 2"])
+    search.lot.clear()
+    search.finding.setCurrentText("none")
+    assert search.wanted().finding == ""
+    lent_driver.wait(lambda: len(records.records) == 3)
+    search.finding.offer(("k_xx",), {"k_xx": "square term"})
+    search.finding.setCurrentText("square term")
+    assert search.wanted().finding == "k_xx"
+    lent_driver.wait(lambda: records.records == ())
+    search.finding.setCurrentIndex(0)
+    lent_driver.wait(lambda: len(records.records) == 3)
 
 
 def test_records_are_searched_by_method_and_stand(lent_driver, records):

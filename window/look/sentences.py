@@ -105,6 +105,11 @@ def plan_text(plan: Plan) -> str:
     return in_language(Message.joined(", ", parts))
 
 
+def lot_text(lot: str) -> str:
+    """The lot of a unit; empty where there is none."""
+    return tr("lot {lot}", lot=lot) if lot else ""
+
+
 def stopped_text(points: int) -> str:
     """What is left of a run that the person stopped after so many points, and what there is to do with it."""
     return in_language(

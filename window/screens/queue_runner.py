@@ -112,6 +112,7 @@ class QueueRunner(QObject):
         """Add a run, as often as it is wanted; `programme` is its name or the path of its file."""
         entry = Entry(
             serial_number=job.serial_number,
+            lot=job.lot,
             programme=programme,
             operator=job.operator,
             stand=place_of(job.stand),

@@ -20,7 +20,7 @@ from tumble.procedures.programmes import load_programme
 from tumble.window.look.language import tr
 from tumble.window.look.moments import written_moment_text
 from tumble.window.look.plain import PlainLabel
-from tumble.window.look.sentences import in_language
+from tumble.window.look.sentences import in_language, lot_text
 from tumble.window.look.tints import AMBER, GREEN, GREY, RED, Tint
 from tumble.window.parts import ResultTab
 from tumble.window.registry import window_part
@@ -122,8 +122,8 @@ class ResultScreen(QWidget):
         self.verdict.style().polish(self.verdict)
         self.verdict.setText(self._verdict_text(presentation.verdict))
         origin = concluded.traced.provenance
-        measured_at = written_moment_text(origin.measured_at)
-        parts = (origin.serial_number, origin.programme_name, measured_at, origin.operator, concluded.record_id)
+        unit, measured_at = (origin.serial_number, lot_text(origin.lot)), written_moment_text(origin.measured_at)
+        parts = (*unit, origin.programme_name, measured_at, origin.operator, concluded.record_id)
         self._subject.setText(" · ".join(part for part in parts if part))
         notices = notices_of(presentation)
         self._notices.setText("\n".join(f"⚠ {notice}" for notice in notices))
@@ -187,6 +187,7 @@ class ResultScreen(QWidget):
             stand=stand,
             programme=load_programme(programme),
             serial_number=origin.serial_number,
+            lot=origin.lot,
             operator=origin.operator,
         )
         try:

@@ -109,6 +109,7 @@ class RunScreen(QWidget):
         if not self._begin(activity, points):
             return False
         self.form.serial.setText(activity.job.serial_number)
+        self.form.lot.setText(activity.job.lot)
         return True
 
     def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  # Qt's name

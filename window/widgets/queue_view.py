@@ -30,7 +30,7 @@ class QueueView(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._entries: Sequence[Entry] = ()
-        self.table = Table((tr("unit"), tr("programme"), tr("run"), tr("operator"), tr("state")))
+        self.table = Table((tr("unit"), tr("lot"), tr("programme"), tr("run"), tr("operator"), tr("state")))
         self.table.setSelectionMode(Table.SelectionMode.SingleSelection)
         self.table.setAccessibleName(tr("Queue"))
         self.said = PlainLabel()
@@ -106,7 +106,7 @@ class QueueView(QWidget):
 def _line(entry: Entry) -> tuple[str, ...]:
     run = f"{entry.repeat} / {entry.repeats}" if entry.repeats > 1 else ""
     programme = Path(entry.programme).stem if entry.programme.endswith(".toml") else entry.programme
-    return entry.serial_number, programme, run, entry.operator, stage_text(entry)
+    return entry.serial_number, entry.lot, programme, run, entry.operator, stage_text(entry)
 
 
 def stage_text(entry: Entry) -> str:

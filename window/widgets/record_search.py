@@ -18,6 +18,8 @@ _LEAST: Final = timedelta(microseconds=1)
 """By which moments of records differ."""
 _NAME: Final = 8
 """Letters."""
+_NOTHING: Final = "-"
+"""Chosen to look for records in which no effect was found; no effect has this name."""
 
 
 class RecordSearch(QWidget):
@@ -27,9 +29,12 @@ class RecordSearch(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.serial, self.verdict = QLineEdit(), QComboBox()
-        self.programme, self.stand, self.method = _Names(), _Names(), _Names()
-        self.serial.setClearButtonEnabled(True)
+        self.serial, self.lot, self.verdict = QLineEdit(), QLineEdit(), QComboBox()
+        self.programme, self.stand, self.method, self.finding = _Names(), _Names(), _Names(), _Names()
+        self.finding.addItem(tr("none"), _NOTHING)
+        for field in (self.serial, self.lot):
+            field.setClearButtonEnabled(True)
+            field.textChanged.connect(self.changed)
         self.since, self.until = self._day(), self._day()
         self.verdict.addItem(tr("any"), None)
         names = {
@@ -42,16 +47,21 @@ class RecordSearch(QWidget):
             self.verdict.addItem(name, verdict)
         origin = (
             (tr("&Serial number"), self.serial),
+            (tr("Lot"), self.lot),
             (tr("&Programme"), self.programme),
             (tr("Sta&nd"), self.stand),
             (tr("Method"), self.method),
         )
-        outcome = ((tr("Ver&dict"), self.verdict), (tr("Fro&m"), self.since), (tr("&Until"), self.until))
+        outcome = (
+            (tr("Ver&dict"), self.verdict),
+            (tr("Effect"), self.finding),
+            (tr("Fro&m"), self.since),
+            (tr("&Until"), self.until),
+        )
         row = QVBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(FoldingRow((_titled(origin), _titled(outcome))))
-        self.serial.textChanged.connect(self.changed)
-        for box in (self.programme, self.stand, self.method, self.verdict):
+        for box in (self.programme, self.stand, self.method, self.verdict, self.finding):
             box.currentIndexChanged.connect(self.changed)
         self.since.dateChanged.connect(self.changed)
         self.until.dateChanged.connect(self.changed)
@@ -60,10 +70,12 @@ class RecordSearch(QWidget):
         """What is asked for."""
         return Wanted(
             part_of_serial_number=self.serial.text().strip(),
+            part_of_lot=self.lot.text().strip(),
             programme_name=self.programme.currentData(),
             stand_name=self.stand.currentData(),
             method=self.method.currentData(),
             verdict=self.verdict.currentData(),
+            finding=_finding(self.finding.currentData()),
             since=None if (first := _chosen(self.since)) is None else _beginning(first),
             until=None if (last := _chosen(self.until)) is None else _beginning(last.addDays(1)) - _LEAST,
         )
@@ -75,6 +87,11 @@ class RecordSearch(QWidget):
         field.setSpecialValueText(tr("any"))
         field.setDate(field.minimumDate())
         return field
+
+
+def _finding(chosen: str) -> str | None:
+    """What `Wanted` calls what was chosen among effects."""
+    return "" if chosen == _NOTHING else chosen or None
 
 
 class _Names(QComboBox):

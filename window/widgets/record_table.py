@@ -41,6 +41,7 @@ class RecordTable(SortableTable):
             tr("effects"),
             tr("stand"),
             tr("method"),
+            tr("lot"),
             tr("revision"),
             tr("record"),
         )

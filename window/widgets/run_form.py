@@ -22,9 +22,9 @@ from tumble.window.work.background import Background
 
 
 class RunForm(QWidget):
-    """Serial number, typed or scanned; programme; operator. A scanner types and sends Enter, which selects the text.
+    """Serial number and lot, typed or scanned; programme; operator.
 
-    Nothing here starts anything.
+    A scanner types and sends Enter, which selects the serial number. Nothing here starts anything.
     """
 
     changed = Signal()
@@ -36,10 +36,11 @@ class RunForm(QWidget):
     def __init__(self, stand: Callable[[], LoadedStand], background: Background, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._stand = stand
-        self.serial, self.operator = QLineEdit(), QLineEdit()
+        self.serial, self.lot, self.operator = QLineEdit(), QLineEdit(), QLineEdit()
         self.programme = ProgrammeBox(self._takes, _about, background)
         self.serial.setMaxLength(LONGEST_NAME)
         self.serial.setPlaceholderText(tr("type or scan"))
+        self.lot.setMaxLength(LONGEST_NAME)
         self.serial.returnPressed.connect(self.await_scan)
         for name in sorted(shipped_programmes(), key=_is_probe):
             self.programme.addItem(name, name)
@@ -97,6 +98,7 @@ class RunForm(QWidget):
             stand=self._stand(),
             programme=load_programme(self.chosen),
             serial_number=serial_number,
+            lot=self.lot.text().strip(),
             operator=self.operator.text().strip(),
         )
         job.plan()
@@ -107,6 +109,7 @@ class RunForm(QWidget):
         grid.setContentsMargins(0, 0, 0, 0)
         parts = (
             (tr("&Serial number"), self.serial, 3),
+            (tr("Lo&t"), self.lot, 1),
             (tr("&Programme"), self.programme, 3),
             ("", self._browse, 0),
             (tr("&Operator"), self.operator, 2),

@@ -1,4 +1,4 @@
-"""A parameter over time, units or stands."""
+"""A parameter over time, units, lots or stands."""
 
 from collections.abc import Iterator, Sequence
 from datetime import datetime
@@ -39,6 +39,7 @@ class TrendPlot(QWidget):
         self.parameter.addItem("—")
         self.over.addItem(tr("time"), "time")
         self.over.addItem(tr("units"), "units")
+        self.over.addItem(tr("lots"), "lots")
         self.over.addItem(tr("stands"), "stands")
         self.plot = Plot("", "")
         self._dates, self._numbers = pg.DateAxisItem(orientation="bottom"), LocalAxis(orientation="bottom")
@@ -153,7 +154,8 @@ class TrendPlot(QWidget):
         if self.over.currentData() == "time":
             return _moment(record).astimezone().isoformat(" ", "seconds")
         origin = record.provenance
-        return origin.stand_name if self.over.currentData() == "stands" else origin.serial_number
+        named = {"units": origin.serial_number, "lots": origin.lot, "stands": origin.stand_name}
+        return named[self.over.currentData()] or "—"
 
     def _abscissa(self, records: Sequence[Record]) -> str:
         """What is drawn to the right; the ticks of a short time are hours, which say no day."""

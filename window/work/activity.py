@@ -152,6 +152,7 @@ class FurtherExperiment:
             connected=connected,
             serial_number=job.serial_number,
             folder=self.store,
+            lot=job.lot,
             operator=job.operator,
         )
         closing, began_s = begin(self.before, at), clock.monotonic_s()

@@ -9,7 +9,7 @@ from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.messages import Message
 from tumble.window.look.moments import written_moment_text
-from tumble.window.look.sentences import in_language
+from tumble.window.look.sentences import in_language, lot_text
 from tumble.window.look.verdicts import verdict_words
 from tumble.window.work.record_words import findings_in, programme_text, stand_words
 
@@ -20,7 +20,7 @@ class Preview:
 
     unit: str
     subject: str
-    """Programme, moment, operator."""
+    """Lot, programme, moment, operator."""
     outcome: Outcome
     values: Sequence[tuple[str, str, str]]
     """The values to use: name, value with its expanded uncertainty, verdict and condition."""
@@ -33,7 +33,7 @@ class Preview:
 def preview(record: Record) -> Preview:
     """Put a record into words."""
     origin = record.provenance
-    subject = (programme_text(record), written_moment_text(origin.measured_at), origin.operator)
+    subject = (lot_text(origin.lot), programme_text(record), written_moment_text(origin.measured_at), origin.operator)
     return Preview(
         unit=origin.serial_number,
         subject=" · ".join(filter(None, subject)),

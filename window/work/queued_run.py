@@ -11,7 +11,13 @@ from tumble.window.work.run_queue import Entry
 def planned(entry: Entry, stand: LoadedStand) -> tuple[Job, Plan]:
     """What is to be run, and its plan. Raises `InputError` where it does not fit the stand."""
     programme = load_programme(entry.programme)
-    job = Job(stand=stand, programme=programme, serial_number=entry.serial_number, operator=entry.operator)
+    job = Job(
+        stand=stand,
+        programme=programme,
+        serial_number=entry.serial_number,
+        lot=entry.lot,
+        operator=entry.operator,
+    )
     return job, job.plan()
 
 

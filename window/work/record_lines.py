@@ -50,6 +50,7 @@ class RecordLine:
             str(self.findings.count),
             origin.stand_name,
             self.method,
+            origin.lot,
             str(self.record.revision),
             self.record.id,
         )

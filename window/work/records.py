@@ -52,7 +52,8 @@ class Around:
     programmes: tuple[str, ...] = ()
     stand_names: tuple[str, ...] = ()
     methods: tuple[str, ...] = ()
-    """All three of which there are records."""
+    findings: tuple[str, ...] = ()
+    """All four of which there are records."""
     stands: "tuple[StandRecord, ...]" = ()
     """Stand records of all stands."""
 
@@ -92,6 +93,7 @@ def look_around(folder: Path) -> Around:
         programmes=kept.programmes(),
         stand_names=kept.stands(),
         methods=kept.methods(),
+        findings=kept.findings(),
         stands=list_stand_records(folder),
     )
 
@@ -210,6 +212,7 @@ def resumption(folder: Path, path: Path) -> Resumption:
         stand=load_same_stand(unfinished.recording),
         programme=unfinished.programme,
         serial_number=header.serial_number,
+        lot=header.lot,
         operator=header.operator,
     )
     job.check(unfinished.recording.points)

@@ -38,6 +38,8 @@ class Entry:
     serial_number: str
     programme: str
     """Name of one that comes along, or path of its file."""
+    lot: str = ""
+    """Of the unit."""
     operator: str = ""
     stand: str = ""
     """Path of the stand file; empty for the stand that is built in."""
@@ -99,6 +101,7 @@ class Entry:
             entry.id,
             entry.serial_number,
             entry.programme,
+            entry.lot,
             entry.operator,
             entry.stand,
             entry.recording,
