@@ -15,6 +15,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
 from datetime import UTC, datetime, timedelta
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -33,6 +34,10 @@ if TYPE_CHECKING:
 
 _UNITS: Final = 5_000
 """Each has been measured as often as the others."""
+_LOT: Final = 250
+"""Units that are made together."""
+_EFFECTS: Final = ("\nhysteresis\n", "", "", "\nhysteresis\nk_xx\n", "", "", "")
+"""What was found, in turn, as the store keeps it."""
 _FIRST: Final = datetime(2016, 1, 1, tzinfo=UTC)
 _BETWEEN: Final = timedelta(minutes=50)
 _TIMES: Final = 100
@@ -61,6 +66,8 @@ def make_store(folder: Path, records: int) -> None:
             "writer": "NULL",
             "sequence": "NULL",
             "outcome": ":outcome",
+            "lot": ":lot",
+            "findings": ":findings",
         }
         copy = _COPY.format(columns=", ".join(columns), values=", ".join(changed.get(name, name) for name in columns))
         database.executemany(copy, _copies(pattern, there, records))
@@ -75,6 +82,8 @@ def _copies(pattern: str, first: int, last: int) -> Iterator[dict[str, str]]:
             "serial": f"SN-{number % _UNITS:05d}",
             "moment": f"{moment:%Y-%m-%dT%H:%M:%S.%f}Z",
             "outcome": "fail" if number % 17 == 0 else "pass",
+            "lot": f"L-{number % _UNITS // _LOT:03d}",
+            "findings": _EFFECTS[number % len(_EFFECTS)],
         }
 
 
@@ -115,7 +124,7 @@ class Watch:
 def measure(store: Path, times: int) -> None:
     """Open the window, and time searches in it."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-    from PySide6.QtCore import QSettings
+    from PySide6.QtCore import QSettings, QSignalBlocker
 
     from tumble.window.start import Application, application
 
@@ -125,27 +134,38 @@ def measure(store: Path, times: int) -> None:
         qt = application()
         began_s = time.perf_counter()
         window = Application(qt, store).window
-        screen, field = window.records, window.records.search.serial
+        screen, search = window.records, window.records.search
         window.open(screen)
         watch = Watch(qt, screen)
         watch.wait(lambda: screen.records and not window.background.is_busy)
         listed_s = time.perf_counter() - began_s
         watch.wait(lambda: not screen.surveyor.is_busy)
         print(f"first list: {listed_s:.2f} s, everything around it: {time.perf_counter() - began_s:.2f} s")
-        for title, term in (
-            ("one unit", "SN-01234"),
-            ("a hundred units", "SN-012"),
-            ("no unit", "nobody"),
-            ("no unit, in Cyrillic letters", "прилад"),
-            ("all", ""),
+        for title, field, term in (
+            ("one unit", search.serial, "SN-01234"),
+            ("a hundred units", search.serial, "SN-012"),
+            ("no unit", search.serial, "nobody"),
+            ("no unit, in Cyrillic letters", search.serial, "прилад"),
+            ("all", search.serial, ""),
+            ("a lot", search.lot, "L-013"),
+            ("no lot", search.lot, "none"),
+            ("all lots", search.lot, ""),
         ):
             looks = []
             for _ in range(times):
-                field.blockSignals(True)
-                field.setText(f"{term}?")
-                field.blockSignals(False)
-                looks.append(watch.time_ms(lambda term=term: field.setText(term)))  # type: ignore[misc]
+                with QSignalBlocker(field):
+                    field.setText(f"{term}?")
+                looks.append(watch.time_ms(partial(field.setText, term)))
                 watch.rest()
+            print(f"{title}: {_told([clock for clock, _ in looks])}; processor {_told([cpu for _, cpu in looks])}")
+        for place in range(search.finding.count()):
+            looks = []
+            for _ in range(times):
+                with QSignalBlocker(search.finding):
+                    search.finding.setCurrentIndex(-1)
+                looks.append(watch.time_ms(partial(search.finding.setCurrentIndex, place)))
+                watch.rest()
+            title = f"effect: {search.finding.itemText(place)}"
             print(f"{title}: {_told([clock for clock, _ in looks])}; processor {_told([cpu for _, cpu in looks])}")
         window.leave()
         qt.processEvents()

@@ -30,9 +30,9 @@ from tumble.calibrations.records.listing import (
 from tumble.calibrations.records.raw import resolved_path, stored_path
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.rows import parameter_rows, record_from_row, record_row
-from tumble.calibrations.records.schema import PARAMETERS, RECORDS
+from tumble.calibrations.records.schema import PARAMETERS, RECORDS, STORE_VERSION
 from tumble.calibrations.records.times import utc_now, utc_text
-from tumble.calibrations.records.transactions import migrate, reading, writing
+from tumble.calibrations.records.transactions import migrate, reading, stored_version, writing
 from tumble.calibrations.records.wanted import Wanted
 from tumble.messages import Message
 
@@ -190,8 +190,15 @@ class Store:
         return self._names_in(RECORDS.c.method)
 
     def findings(self) -> tuple[str, ...]:
-        """Names of everything that was found in a record, in their order; structure without a name is one."""
-        return tuple(sorted({name for text in self._names_in(RECORDS.c.findings) for name in names_of(text)}))
+        """Names of everything that was found in a record, in their order; structure without a name is one.
+
+        Empty for a store of an older version, of which every record would have to be read.
+        """
+        with storage_errors(self.path), reading(self._engine) as connection:
+            if stored_version(connection) != STORE_VERSION:
+                return ()
+            texts = connection.execute(names_in(RECORDS.c.findings)).scalars()
+            return tuple(sorted({name for text in texts for name in names_of(text)}))
 
     def recorded_files(self) -> frozenset[Path]:
         """Where the raw files of all records lie that are in a table still, whether these stand or not."""

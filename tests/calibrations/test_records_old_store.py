@@ -226,6 +226,7 @@ def test_what_was_found_is_searched_for_before_and_after_the_migration(tmp_path)
     store = Store.existing(tmp_path)
     (record,) = store.newest(Wanted(finding="k_xx"), 10)
     assert store.newest(Wanted(finding=""), 10) == ()
+    assert store.findings() == ()
     assert store.migrate() == tmp_path / f"{DATABASE}.version-2"
     assert store.newest(Wanted(finding="k_xx"), 10) == (record,)
     assert store.findings() == ("k_xx",)
