@@ -103,12 +103,10 @@ def _mountings(planned: Plan) -> Iterator[str]:
     """One line for each time that the operator sets something."""
     began_s = 0.0
     for conditions, dwells, duration_s in _stretches(planned.steps):
-        yield Message(
-            "  {time}  {conditions}: {listed}",
-            time=_clock(began_s),
-            conditions=conditions,
-            listed=Message.joined("; ", _series(dwells) if dwells[0].targets_deg else _set_otherwise(dwells)),
-        )
+        listed = Message.joined("; ", _series(dwells) if dwells[0].targets_deg else _set_otherwise(dwells))
+        if conditions:
+            listed = Message("{conditions}: {listed}", conditions=conditions, listed=listed)
+        yield Message("  {time}  {listed}", time=_clock(began_s), listed=listed)
         began_s += duration_s
 
 

@@ -12,6 +12,12 @@ def test_a_plan_says_what_is_measured_in_each_mounting():
     assert len(lines) == 1 + 6
 
 
+def test_where_nothing_is_set_by_hand_a_plan_names_no_mounting():
+    lines = tumble("plan", "6").out.splitlines()
+
+    assert lines[1] == "  0:00:00  position 1, 6 settings, 90° to 180°, 0° to 180° and back"
+
+
 def test_a_sweep_there_and_back_is_said_to_be_one():
     lines = tumble("plan", "reversal").out.splitlines()
 

@@ -70,12 +70,16 @@ def test_a_row_is_copied_from_the_menu(table, reason):
     assert QGuiApplication.clipboard().text() == "B-2\tis done"
 
 
-def test_where_no_row_is_chosen_the_clipboard_keeps_what_it_has(table):
-    QGuiApplication.clipboard().setText("kept")
+def test_rows_are_copied_only_where_one_is_chosen(table):
+    (copying,) = [line for line in table.actions() if line.text() == "Copy rows"]
+    assert not copying.isEnabled()
+    table.selectRow(0)
+    assert copying.isEnabled()
     table.clearSelection()
-    ask(table.viewport(), MOUSE)
-    choose("Copy rows")
-    assert QGuiApplication.clipboard().text() == "kept"
+    assert not copying.isEnabled()
+    table.selectRow(0)
+    table.fill([])
+    assert not copying.isEnabled()
 
 
 def test_the_right_button_chooses_the_row_that_it_is_pressed_on(qtbot, table):
@@ -107,6 +111,7 @@ def test_what_cannot_be_done_is_grey_in_both(qtbot, table):
     button = ActionButton(table.offer("Take it out", lambda: None))
     qtbot.addWidget(button)
     button.action.setEnabled(False)
+    table.selectRow(0)
     ask(table, KEY)
     assert not button.isEnabled()
     assert [line.isEnabled() for line in menu().actions()] == [False, True]

@@ -45,6 +45,8 @@ class Table(QTableWidget):
         self._keep_lines()
         self._copying = self._action(tr("Copy rows"), self._copy, QKeySequence(QKeySequence.StandardKey.Copy))
         self.addAction(self._copying)
+        self._copying.setEnabled(False)
+        self.selectionModel().selectionChanged.connect(lambda: self._copying.setEnabled(bool(self.chosen)))
 
     def offer(self, text: str, do: Callable[[], None], key: str = "") -> QAction:
         """Have something in the menu that can be done with the rows, by a `key` also while the table has the keyboard.
