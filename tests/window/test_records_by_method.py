@@ -33,8 +33,8 @@ def records(lent_driver, tmp_path):
 
 
 def test_the_list_says_the_method_of_every_record_and_its_first_value(records):
-    assert records.table.horizontalHeaderItem(7).text() == "method"
-    listed = {row[0]: (row[7], row[4]) for row in records.table.texts()}
+    assert records.table.horizontalHeaderItem(8).text() == "method"
+    listed = {row[0]: (row[8], row[4]) for row in records.table.texts()}
     assert listed["P-1"] == ("pendulum", "period = 2.0070(10) s")
     assert listed["C-1"] == ("clock", "late = 2.00(10) s")
 
@@ -159,7 +159,7 @@ def test_a_trend_goes_over_lots(records):
 def test_records_are_searched_by_lot_and_by_what_was_found(lent_driver, records):
     search = records.search
     search.lot.setText("2")
-    lent_driver.wait(lambda: [row[8] for row in records.table.texts()] == ["lot 2"])
+    lent_driver.wait(lambda: [row[7] for row in records.table.texts()] == ["lot 2"])
     search.lot.clear()
     search.finding.setCurrentText("none")
     assert search.wanted().finding == ""

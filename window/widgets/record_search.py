@@ -128,11 +128,12 @@ class _Day(QDateEdit):
 
 
 def _titled(fields: Iterable[tuple[str, QWidget]]) -> QWidget:
-    """Fields beside each other, each below its title; the first takes what room there is."""
-    together = QWidget()
+    """Fields beside each other, each below its title; those to type in, or else the first, take what room there is."""
+    fields, together = tuple(fields), QWidget()
     grid = QGridLayout(together)
     grid.setContentsMargins(0, 0, 0, 0)
-    grid.setColumnStretch(0, 1)
+    for column in [place for place, (_, field) in enumerate(fields) if isinstance(field, QLineEdit)] or [0]:
+        grid.setColumnStretch(column, 1)
     grid.setRowStretch(1, 1)  # titles are in one line with those of fields that are higher
     for column, (title, field) in enumerate(fields):
         label = QLabel(title)

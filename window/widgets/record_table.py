@@ -40,8 +40,8 @@ class RecordTable(SortableTable):
             tr("result"),
             tr("effects"),
             tr("stand"),
-            tr("method"),
             tr("lot"),
+            tr("method"),
             tr("revision"),
             tr("record"),
         )

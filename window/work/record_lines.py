@@ -49,8 +49,8 @@ class RecordLine:
             self.result,
             str(self.findings.count),
             origin.stand_name,
-            self.method,
             origin.lot,
+            self.method,
             str(self.record.revision),
             self.record.id,
         )
