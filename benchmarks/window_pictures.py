@@ -199,6 +199,7 @@ class Album:
         self.window.open(run)
         run.form.add_programme(str(programme))
         run.form.serial.setText(serial)
+        run.form.lot.setText("L-26")
         run.form.operator.setText("Ann")
         self._wait(run.controls.start.isEnabled, "the stand")
         run.controls.start.click()
@@ -207,6 +208,7 @@ class Album:
         run = self.window.run
         self.window.open(run)
         run.form.add_programme(programme)
+        run.form.lot.setText("L-26")
         run.form.operator.setText("Ann")
         for serial in ("SN-1043", "SN-1044", "SN-1045"):
             run.form.serial.setText(serial)
