@@ -5,7 +5,8 @@
 Signals are what the declared model cannot absorb, in units of the noise of a dwell. The F test is told the effect in
 the form in which the table was made, every value in it but the amplitude; it has one degree of freedom in the numerator
 and asks for as much as the tracer asks of each form of that effect. The tracer knows neither effect nor form. Its
-effects count where the true one is a name or among `also_possible`.
+effects count where the true one is a name or among `also_possible`. Told of counts, too, what is a warning and no
+effect (`bias_drift`: "the bias wanders (drift, walk or flicker)"), beside the F test at the chance of that warning.
 
 With `--results` every graded table becomes a line of that file at once, and a run that was interrupted continues.
 """
@@ -38,6 +39,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.methods.dividing_head.effects import CATALOGUE
 from tumble.calibrations.methods.dividing_head.joint import fit_jointly
 from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
+from tumble.calibrations.methods.dividing_head.loop.scatter import CHANCE
 from tumble.calibrations.methods.dividing_head.loop.table import dividing_head_table
 from tumble.calibrations.methods.dividing_head.model import PARAMETERS
 from tumble.calibrations.methods.dividing_head.observations import Observations
@@ -48,6 +50,8 @@ from tumble.calibrations.tracing.penalties import FALSE_ALARM
 _SEEDS: Final = {"development": DEVELOPMENT, "reported": REPORTED}
 _PARTS: Final = (1.01, 0.99)
 """Parts of the true amplitude between which an effect is linearised."""
+_TOLD: Final = {"bias_drift": "the bias wanders (drift"}
+"""What a warning says of an effect that has no name yet."""
 HALF = 0.5
 """From this power of the F test on a shortfall is looked for."""
 
@@ -102,15 +106,19 @@ def graded(wanted: Wanted) -> Record:
     chance = chance_of(name, case.observations)
     spare = len(case.observations) - len(PARAMETERS) - 1
     visible = float(np.linalg.norm(oracle_column(stage))) / spec.noise_v
-    found = close_loop(case.observations).effects
+    loop = close_loop(case.observations)
+    named = any(name == effect.name or name in effect.also_possible for effect in loop.effects)
+    told = name in _TOLD and any(_TOLD[name] in warning for warning in loop.augmented.warnings)
     return {
         "key": _key(wanted),
         "effect": name,
         "shape": case.truth.shapes[name],
         "units": units,
-        "said": [effect.name for effect in found],
-        "ours": any(name == effect.name or name in effect.also_possible for effect in found),
+        "said": [effect.name for effect in loop.effects],
+        "ours": named,
+        "told": named or told,
         "f_power": f_test_power(visible, chance, spare),
+        "f_power_told": f_test_power(visible, CHANCE if name in _TOLD else chance, spare),
         "f_test": oracle_sees(stage, case.observations.output_v, chance),
     }
 
@@ -154,13 +162,16 @@ def cells(records: Sequence[Record]) -> dict[Cell, list[Record]]:
 def report(by_cell: dict[Cell, list[Record]]) -> str:
     """The powers of every cell in percent, and the largest shortfall."""
     lines = [
-        "| effect | signal | tables | close_loop | F test, exact | difference | F test, these tables |",
-        "|---|---|---|---|---|---|---|",
+        "| effect | signal | tables | close_loop | F test, exact | difference | F test, these tables "
+        "| close_loop, named or told of | F test at the chance of that |",
+        "|---|---|---|---|---|---|---|---|---|",
     ]
     for (effect, units), records in by_cell.items():
         ours, exact, same = (100.0 * mean(records, key) for key in ("ours", "f_power", "f_test"))
+        told, at_its_chance = (100.0 * mean(records, key) for key in ("told", "f_power_told"))
         lines.append(
-            f"| {effect} | {units:g} | {len(records)} | {ours:.1f} | {exact:.1f} | {ours - exact:+.1f} | {same:.1f} |"
+            f"| {effect} | {units:g} | {len(records)} | {ours:.1f} | {exact:.1f} | {ours - exact:+.1f} | {same:.1f} "
+            f"| {told:.1f} | {at_its_chance:.1f} |"
         )
     return "\n".join([*lines, "", _largest_shortfall(by_cell)])
 

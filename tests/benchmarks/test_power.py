@@ -10,7 +10,15 @@ SPEC = Spec(design="bfd", effects=(("k_xx", 8.0),))
 
 
 def record(units, ours, f_power, effect="k_xx"):
-    return {"effect": effect, "units": units, "ours": ours, "f_power": f_power, "f_test": True}
+    return {
+        "effect": effect,
+        "units": units,
+        "ours": ours,
+        "told": True,
+        "f_power": f_power,
+        "f_power_told": f_power + 0.2,
+        "f_test": True,
+    }
 
 
 def test_two_groups_of_64_that_differ_by_half_a_standard_deviation_are_told_four_times_in_five():
@@ -57,7 +65,7 @@ def test_a_longer_list_begins_as_a_shorter_one_and_shares_no_seed_with_another()
 def test_a_shortfall_counts_only_where_the_f_test_sees_half():
     by_cell = cells([record(2.0, False, 0.1), record(4.0, True, 0.5), record(4.0, False, 0.5), record(5.0, False, 0.3)])
     *_, ours, _, last = report(by_cell).splitlines()
-    assert ours == "| k_xx | 5 | 1 | 0.0 | 30.0 | -30.0 | 100.0 |"
+    assert ours == "| k_xx | 5 | 1 | 0.0 | 30.0 | -30.0 | 100.0 | 100.0 | 50.0 |"
     assert last == "Largest shortfall from 50 % on: 0.0 points, k_xx at 4 noise units."
 
 

@@ -59,3 +59,11 @@ def test_flicker_is_told_with_its_floor():
 
     assert "the bias wanders (" in warning
     assert "flicker" in warning
+
+
+def test_a_drift_too_small_for_a_name_may_be_what_wanders():
+    rows = sampled(table(*PARTS, realisations=5, seed=5))
+    drift_v = 5.5e-5 * np.linspace(-0.5, 0.5, len(rows))
+    (warning,) = said(replace(rows, voltage_v=rows.voltage_v + drift_v))
+
+    assert "the bias wanders (drift, walk or flicker)" in warning

@@ -15,8 +15,9 @@ from tumble.calibrations.tracing.table import Table
 from tumble.calibrations.tracing.trace import Trace
 from tumble.messages import Message
 
-_CHANCE: Final = 1e-3
+CHANCE: Final = 1e-3
 """At which a table is told of scatter or wandering that is not there."""
+_DRIFT: Final = "bias_drift"
 
 
 def scatter_and_wandering(table: Table, trace: Trace, joint: Joint) -> Iterator[Message]:
@@ -38,7 +39,7 @@ def _excess(joint: Joint) -> Message | None:
         return None
     sampled = float(np.mean(variance[known]))
     spare = float(np.sum(rows.samples[known] - 1.0))
-    if sampled <= 0.0 or fdtrc(error.degrees_of_freedom, spare, error.variance / sampled) > _CHANCE:
+    if sampled <= 0.0 or fdtrc(error.degrees_of_freedom, spare, error.variance / sampled) > CHANCE:
         return None
     return Message(
         "repeats scatter by {pure}, the samples of a dwell explain {sampled}: something changes between the repeats",
@@ -48,17 +49,36 @@ def _excess(joint: Joint) -> Message | None:
 
 
 def _wandering(table: Table, trace: Trace, joint: Joint) -> Message | None:
-    """Flicker beside what was found, with its floor; where a walk fits nearly as well, that too."""
+    """Flicker beside what was found, with its floor; where a drift or a walk fits nearly as well, that too."""
     noise = trace.noise
     if not noise.flicker:
         return None
     without = table.deviance(trace.forms, replace(noise, flicker=0.0))
-    if without - trace.deviance < max(chdtri(1, 2.0 * _CHANCE), FLICKER):
+    if without - trace.deviance < max(chdtri(1, 2.0 * CHANCE), FLICKER):
         return None
-    _, walking = best_walk(table, trace.forms, noise)
-    kind = Message("walk or flicker") if walking - trace.deviance < NEAR else Message("flicker")
     return Message(
         "the bias wanders ({kind}), in the Allan deviation by some {floor}",
-        kind=kind,
+        kind=_KINDS[_drifts(table, trace), _walks(table, trace)],
         floor=format_number(float(np.sqrt(2.0 * np.log(2.0) * noise.flicker)) * joint.noise.used_v, "V", 2),
     )
+
+
+_KINDS: Final = {
+    (False, False): Message("flicker"),
+    (False, True): Message("walk or flicker"),
+    (True, False): Message("drift or flicker"),
+    (True, True): Message("drift, walk or flicker"),
+}
+"""By whether a drift and whether a walk explains nearly as much."""
+
+
+def _walks(table: Table, trace: Trace) -> bool:
+    _, deviance = best_walk(table, trace.forms, trace.noise)
+    return deviance - trace.deviance < NEAR
+
+
+def _drifts(table: Table, trace: Trace) -> bool:
+    steady = replace(trace.noise, flicker=0.0)
+    drifts = (effect for effect in table.effects if effect.name == _DRIFT and _DRIFT not in trace.names)
+    forms = (form for effect in drifts for form in effect.forms(table.scene))
+    return any(table.deviance([*trace.forms, form], steady) - trace.deviance < NEAR for form in forms)
