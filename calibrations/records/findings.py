@@ -1,6 +1,6 @@
 """What the closed loop found in a result, whatever method it is of."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final
 
 from tumble.calibrations.records.record import Record
@@ -36,8 +36,14 @@ def line_of(name: str) -> str:
 
 
 def _effects(result: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    """What a method calls effects and is no list of such, it means something else by."""
     for loop in _loops(result):
-        yield from loop.get("effects", ())
+        listed = loop.get("effects")
+        yield from (each for each in listed if _has_name(each)) if isinstance(listed, Sequence) else ()
+
+
+def _has_name(effect: object) -> bool:
+    return isinstance(effect, Mapping) and "name" in effect
 
 
 def _is_unexplained(result: Mapping[str, Any]) -> bool:
@@ -45,7 +51,6 @@ def _is_unexplained(result: Mapping[str, Any]) -> bool:
 
 
 def _loops(result: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
-    yield result.get("loop", result)
     parameters = result.get("parameters")
-    if isinstance(parameters, Mapping):
-        yield from (each for each in parameters.values() if "effects" in each)
+    of_parameters = parameters.values() if isinstance(parameters, Mapping) else ()
+    yield from (each for each in (result.get("loop", result), *of_parameters) if isinstance(each, Mapping))
