@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tables import FLIPS, UNIT, gravity_on, sweep, table
+from tables import FLIPS, UNIT, gravity_on, output, sweep, table
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.methods.dividing_head.loop.loop import close_loop
@@ -78,3 +78,24 @@ def test_what_it_is_at_an_unknown_place_moves_the_ends_of_an_interval():
 
     assert after["bias"].interval_95 == pytest.approx((low - 0.5, high + 2.0))
     assert line.contributions["bias"] > 0.0
+
+
+def two_part_scale(error_deg):
+    """What a head whose scale is in two parts adds: one half is too long, the other one is off, in volts."""
+
+    def extra_v(mount, angle_deg):
+        part = (angle_deg - 40.0) % 360.0 / 360.0
+        error = error_deg * np.where(part < 0.5, 2.0 * part - 0.5, 0.2)
+        return output(mount, angle_deg + error) - output(mount, angle_deg)
+
+    return extra_v
+
+
+def test_where_a_named_error_of_the_head_may_be_part_of_one_without_a_name_alpha0_holds_at_every_place():
+    loop = close_loop(table(*TWO_MOUNTS, extra_v=two_part_scale(0.04)))
+    alpha0 = loop.augmented.parameters["alpha0"]
+
+    assert "head_eccentricity" in [each.name for each in loop.effects]
+    assert loop.unexplained is not None
+    assert alpha0.interval_95[0] <= UNIT["alpha0"] <= alpha0.interval_95[1]
+    assert "the named error of the head may be a part of the one without a name" in alpha0.remark

@@ -19,6 +19,7 @@ from tumble.calibrations.methods.dividing_head.joint import Joint, fit_jointly, 
 from tumble.calibrations.methods.dividing_head.loop.at_rest import at_rest
 from tumble.calibrations.methods.dividing_head.loop.augmented import Augmented, augment
 from tumble.calibrations.methods.dividing_head.loop.averaged import averaged
+from tumble.calibrations.methods.dividing_head.loop.head_error import alpha0_reach
 from tumble.calibrations.methods.dividing_head.loop.hidden import resting_on_absence
 from tumble.calibrations.methods.dividing_head.loop.misreading import MISREADING, Misreading, misreadings
 from tumble.calibrations.methods.dividing_head.loop.more_settings import more_settings
@@ -163,7 +164,8 @@ def explain_questioned(
     augmented = resting_on_absence(augmented, set(trace.names))
     rivals = every_near(explained.tracer, trace, explained.near, (*others, *explained.judged.nearly))
     courses = best.courses(whole, trace)
-    augmented = averaged(augmented, explained.table, rivals, at_rest(best.joint.fit.theta, courses))
+    resting, reaches = at_rest(best.joint.fit.theta, courses), alpha0_reach(best, courses)
+    augmented = averaged(augmented, explained.table, rivals, resting, reaches)
     said = scatter_and_wandering(explained.table, trace, best.joint)
     augmented = replace(augmented, warnings=(*augmented.warnings, *said))
     loop = Loop(
