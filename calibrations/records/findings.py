@@ -21,7 +21,7 @@ def is_unexplained(record: Record) -> bool:
 
 def text_of(result: Mapping[str, Any]) -> str:
     """The names of what was found, each on a line that begins and ends with a line break; empty for nothing."""
-    names = {str(effect["name"]) for effect in _effects(result)} | ({UNNAMED} if _is_unexplained(result) else set())
+    names = {effect["name"] for effect in _effects(result)} | ({UNNAMED} if _is_unexplained(result) else set())
     return "\n".join(("", *sorted(names), "")) if names else ""
 
 
@@ -37,7 +37,12 @@ def line_of(name: str) -> str:
 
 def _effects(result: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
     for loop in _loops(result):
-        yield from loop.get("effects", ())
+        found = loop.get("effects")
+        yield from (each for each in found if _has_a_name(each)) if isinstance(found, list) else ()
+
+
+def _has_a_name(effect: object) -> bool:
+    return isinstance(effect, Mapping) and isinstance(effect.get("name"), str)
 
 
 def _is_unexplained(result: Mapping[str, Any]) -> bool:
@@ -45,7 +50,7 @@ def _is_unexplained(result: Mapping[str, Any]) -> bool:
 
 
 def _loops(result: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
-    yield result.get("loop", result)
+    """Those that can be read as one: whatever else somebody put there is for `verify` to say."""
     parameters = result.get("parameters")
-    if isinstance(parameters, Mapping):
-        yield from (each for each in parameters.values() if "effects" in each)
+    of_parameters = parameters.values() if isinstance(parameters, Mapping) else ()
+    yield from (each for each in (result.get("loop", result), *of_parameters) if isinstance(each, Mapping))

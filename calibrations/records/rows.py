@@ -12,6 +12,7 @@ from tumble.calibrations.records.old_formats import METHODS_SINCE, provenance_of
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Link, Record
 from tumble.calibrations.records.times import read_time, utc_text
+from tumble.messages import Message
 
 _FROM_PROVENANCE = (
     "serial_number",
@@ -78,7 +79,9 @@ def _parameter_row(record_id: str, model: str, parameter: RecordedParameter) -> 
 
 
 def record_from_row(row: Mapping[str, Any]) -> Record:
-    """Undo `record_row`."""
+    """Undo `record_row`. Raises `AttributeError`, `KeyError`, `TypeError`, `ValueError`."""
+    if not isinstance(row["result"], Mapping):
+        raise TypeError(Message("its result is no object"))
     limits = tuple(LimitCheck(**check) for check in row["limits"])
     since = row["format_version"] >= METHODS_SINCE
     return Record(

@@ -292,7 +292,8 @@ class Store:
 
     def _record(self, row: Mapping[str, Any]) -> Record:
         try:
-            return record_from_row(row)
+            record = record_from_row(row)
+            record.models  # noqa: B018  # up to format 3 these stand in the result, which may be any JSON
         except (AttributeError, KeyError, TypeError, ValueError) as error:
             happened = Message(
                 "record {id} is damaged ({error_type}: {error})",
@@ -301,3 +302,4 @@ class Store:
                 error=error,
             )
             raise StoreError(self.path, happened, Message("restore the file from a backup")) from error
+        return record
