@@ -12,10 +12,9 @@ import click
 
 from tumble.app.files import check_result, write_text
 from tumble.app.kinds import Kind, report_kind
+from tumble.app.names import given_name
 from tumble.app.terminal import as_json, say_document
-from tumble.drivers.text import check_name
 from tumble.messages import Message
-from tumble.procedures.errors import InputError
 
 
 class Output(click.Path):
@@ -79,11 +78,8 @@ def known(function: Callable[..., None]) -> Callable[..., None]:
 
 
 def name(_context: click.Context, parameter: click.Parameter, value: str) -> str:
-    """Refuse what cannot serve as a name. Raises `InputError`."""
-    try:
-        return check_name(value)
-    except ValueError as error:
-        raise InputError(Message("{option}: {error}", option=parameter.opts[0], error=error)) from error
+    """A name without the blanks round it. Raises `InputError` where it can be none."""
+    return given_name(value, parameter.opts[0])
 
 
 serial = click.option("--serial", "serial_number", default="", callback=name, help="Serial number of the unit.")

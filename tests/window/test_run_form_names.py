@@ -1,0 +1,50 @@
+"""Unit, lot and operator as they are typed, pasted and scanned into the form of the screen Run."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
+
+from tumble.procedures.errors import InputError
+
+
+@pytest.fixture
+def driver(lent_driver):
+    """A window that shows the form."""
+    for field in (lent_driver.run.form.lot, lent_driver.run.form.operator):
+        field.clear()
+    lent_driver.open_run("quick", serial="A-1")
+    return lent_driver
+
+
+def test_after_a_lot_was_scanned_the_scanner_is_at_the_serial_number(driver):
+    form = driver.run.form
+    form.lot.setFocus()
+    driver.scan("L 26/3", at=form.lot)
+    assert QApplication.focusWidget() is form.serial
+    assert form.serial.selectedText() == "A-1"
+
+
+@pytest.mark.parametrize("field", ["serial", "lot"])
+def test_what_is_scanned_after_a_click_takes_the_place_of_what_was_there(driver, field):
+    box = getattr(driver.run.form, field)
+    box.setText("L 26/2")
+    driver.run.form.operator.setFocus()
+    driver.bot.mouseClick(box, Qt.MouseButton.LeftButton)
+    driver.wait(lambda: box.selectedText() == "L 26/2", 2)
+    driver.scan("L 26/3", at=box)
+    assert box.text() == "L 26/3"
+
+
+@pytest.mark.parametrize("field", ["serial", "lot", "operator"])
+def test_what_cannot_be_seen_in_a_name_that_was_pasted_is_refused(driver, field):
+    QApplication.clipboard().setText("A-1\r\nA-2")
+    box = getattr(driver.run.form, field)
+    box.clear()
+    box.paste()
+    with pytest.raises(InputError, match=r"\\x0d at character 4 cannot be seen"):
+        driver.run.form.job()
+
+
+def test_blanks_round_a_name_are_none_of_it(driver):
+    driver.run.form.lot.setText("  L 26/3 ")
+    assert driver.run.form.job().lot == "L 26/3"
