@@ -87,7 +87,7 @@ def _programme_name(measurement: Measurement) -> str:
 
 def _begun(files: Sequence[Path], at: AtStand) -> Closing:
     """What a first measurement says; several files are taken together."""
-    measurement = with_what_is_known(read_together(files, at.stand.recorded), at.folder, at.effects)
+    measurement = _taken_together(files, at)
     if measurement.header and measurement.header.serial_number != at.serial_number:
         raise InputError(
             Message(
@@ -114,7 +114,7 @@ def _begun(files: Sequence[Path], at: AtStand) -> Closing:
 def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time_s: float, at: AtStand) -> Closing:
     """What everything says together once an experiment was run. Raises `InputError`."""
     files = (*closing.files, recording)
-    measurement = with_what_is_known(read_together(files, at.stand.recorded), at.folder, at.effects)
+    measurement = _taken_together(files, at)
     traced = _traced(measurement, at)
     link = Link(
         experiment=experiment,
@@ -261,6 +261,11 @@ def _elsewhere(closing: Closing) -> dict[str, tuple[Experiment, str]]:
     refused = closing.available.refused
     wanted = experiments_for(closing.traced.explained, [offer.probe for offer, _ in refused.values()])
     return {each.programme: (each, refused[each.programme][1]) for each in wanted if each.command}
+
+
+def _taken_together(files: Sequence[Path], at: AtStand) -> Measurement:
+    measurement = with_what_is_known(read_together(files, at.stand.recorded), at.folder, at.effects)
+    return measurement.of_lot(at.lot)
 
 
 def _traced(measurement: Measurement, at: AtStand) -> Traced:

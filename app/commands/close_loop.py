@@ -3,6 +3,7 @@
 import shlex
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -135,7 +136,7 @@ def _traced(
     """What files say, without a stand to ask; `folder` is that of the store, None where there will be no record."""
     stand = read_stand(wanted.stand_path).recorded if wanted.stand_path else None
     measurement = with_what_is_known(read_together(files, stand), known.folder, known.effects)
-    return trace(fit(measurement, wanted.serial_number, trials, folder))
+    return trace(fit(measurement.of_lot(wanted.lot), wanted.serial_number, trials, folder))
 
 
 def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, known: options.Known) -> Closing:
@@ -160,7 +161,8 @@ def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, known: options.K
             if not files:
                 with watching(at.job(programme)) as display:
                     files = (measure(at, programme, [display]),)
-            return act(begin(files, at), at, most, watching, tell_closing)
+            begun = begin(files, at)
+            return act(begun, replace(at, lot=begun.traced.measurement.lot), most, watching, tell_closing)
 
 
 @contextmanager

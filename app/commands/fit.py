@@ -21,6 +21,7 @@ from tumble.messages import Message
 @options.json_out
 @click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
 @options.serial_of_file
+@options.lot_of_file
 @click.option("--store", "folder", type=options.EXISTING, help="Folder of the records; without it nothing is stored.")
 @options.effects
 @options.verbose
@@ -29,6 +30,7 @@ def command(
     json_path: Path | None,
     stand_path: Path | None,
     serial_number: str,
+    lot: str,
     folder: Path | None,
     effects: Path | None,
     verbose: bool,
@@ -39,7 +41,7 @@ def command(
     alone.
     """
     measurement = read_measurement(file, read_stand(stand_path).recorded if stand_path else None)
-    measurement = with_what_is_known(measurement, folder, effects)
+    measurement = with_what_is_known(measurement, folder, effects).of_lot(lot)
     analysed = fit(measurement, serial_number, folder=folder)
     traced = trace(analysed) if analysed.limits or folder is not None or effects is not None else None
     result = traced or analysed

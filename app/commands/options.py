@@ -94,6 +94,9 @@ serial_of_file = click.option(
     help="Serial number of the unit, where the file does not say.",
 )
 lot = click.option("--lot", default="", callback=name, help="Lot in which the unit was made; recorded.")
+lot_of_file = click.option(
+    "--lot", default="", callback=name, help="Lot of the unit, where the file does not say, or says another."
+)
 operator = click.option("--operator", default="", callback=name, help="Who is at the stand; recorded.")
 answers = click.option("--answers", type=EXISTING, help="Answers to prompts, for a run that nobody attends (TOML).")
 attended = click.option(
