@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 from tumble.calibrations.records.record import Record
+from tumble.messages import Message, with_wording
 
 UNNAMED: Final = "structure without a name"
 """Stands for it among the names of effects, none of which has a space."""
@@ -17,6 +18,16 @@ def effects_of(record: Record) -> tuple[Mapping[str, Any], ...]:
 def is_unexplained(record: Record) -> bool:
     """Whether a loop found structure without a name."""
     return _is_unexplained(record.result)
+
+
+def names_found(record: Record) -> tuple[str, ...]:
+    """Everything that was found, each once, as records are searched for it."""
+    return names_of(text_of(record.result))
+
+
+def words_of(name: str) -> str:
+    """What a reader calls it."""
+    return Message("structure without a name") if name == UNNAMED else with_wording(name)
 
 
 def text_of(result: Mapping[str, Any]) -> str:

@@ -57,6 +57,11 @@ def earlier(record: Record) -> tuple[ColumnElement[bool], ...]:
     )
 
 
+def was_found(name: str) -> ColumnElement[bool]:
+    """Whether something was found in a record; an empty name: nothing was."""
+    return func.instr(RECORDS.c.findings, line_of(name)) > 0 if name else RECORDS.c.findings == ""
+
+
 def names_in(column: Column[str]) -> Select[Any]:
     """Everything that a column of all records says, once and in order; a record that says nothing is left out."""
     return select(column).where(column != "").distinct().order_by(column)
@@ -77,16 +82,11 @@ def _conditions(wanted: Wanted) -> list[ColumnElement[bool]]:
         RECORDS.c.stand_name == wanted.stand_name if wanted.stand_name else None,
         RECORDS.c.method == wanted.method if wanted.method else None,
         RECORDS.c.outcome == str(wanted.verdict) if wanted.verdict else None,
-        None if wanted.finding is None else _found(wanted.finding),
+        None if wanted.finding is None else was_found(wanted.finding),
         utc_text(wanted.since) <= MEASURED_AT if wanted.since else None,
         utc_text(wanted.until) >= MEASURED_AT if wanted.until else None,
     ]
     return [condition for condition in conditions if condition is not None]
-
-
-def _found(name: str) -> ColumnElement[bool]:
-    """Whether something was found in a record; an empty name: nothing was."""
-    return func.instr(RECORDS.c.findings, line_of(name)) > 0 if name else RECORDS.c.findings == ""
 
 
 def _contains(column: Column[str], part: str) -> ColumnElement[bool]:

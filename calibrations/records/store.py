@@ -26,6 +26,7 @@ from tumble.calibrations.records.listing import (
     names_in,
     newest,
     teach_folding,
+    was_found,
 )
 from tumble.calibrations.records.raw import resolved_path, stored_path
 from tumble.calibrations.records.record import Record
@@ -141,6 +142,7 @@ class Store:
         serial_number: str | None = None,
         method: str | None = None,
         lot: str | None = None,
+        finding: str | None = None,
         programme_name: str | None = None,
         since: datetime | None = None,
         until: datetime | None = None,
@@ -150,12 +152,13 @@ class Store:
 
         Those of the same second are in the order in which they were stored.
 
-        `since` and `until`, both included, need a time zone.
+        `since` and `until`, both included, need a time zone; `finding` is as in `Wanted`.
         """
         conditions = [
             RECORDS.c.serial_number == serial_number if serial_number is not None else None,
             RECORDS.c.method == method if method is not None else None,
             RECORDS.c.lot == lot if lot is not None else None,
+            was_found(finding) if finding is not None else None,
             RECORDS.c.programme_name == programme_name if programme_name is not None else None,
             utc_text(since) <= MEASURED_AT if since else None,
             utc_text(until) >= MEASURED_AT if until else None,
