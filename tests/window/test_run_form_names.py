@@ -1,10 +1,13 @@
 """Unit, lot and operator as they are typed, pasted and scanned into the form of the screen Run."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
 from tumble.procedures.errors import InputError
+from tumble.window.work.activity import Calibration
 
 
 @pytest.fixture
@@ -48,3 +51,18 @@ def test_what_cannot_be_seen_in_a_name_that_was_pasted_is_refused(driver, field)
 def test_blanks_round_a_name_are_none_of_it(driver):
     driver.run.form.lot.setText("  L 26/3 ")
     assert driver.run.form.job().lot == "L 26/3"
+
+
+def test_another_run_leaves_what_was_typed_for_the_next_one(driver, tiny, tmp_path, no_report):
+    form = driver.run.form
+    form.add_programme(str(tiny))
+    other = replace(form.job(), serial_number="B-2", lot="L 26/2")
+    form.lot.setText("L 26/3")
+    assert driver.run.begin(Calibration(job=other, store=tmp_path / "store"))
+    driver.wait_for_result()
+    assert (form.serial.text(), form.lot.text()) == ("A-1", "L 26/3")
+
+
+def test_a_mount_is_asked_for_by_unit_and_lot(driver):
+    driver.run.view.begin(replace(driver.run.form.job(), lot="L 26/3"), driver.run.form.job().plan())
+    assert driver.run.view.prompt.unit.text == "A-1 · lot L 26/3"

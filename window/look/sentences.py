@@ -110,6 +110,11 @@ def lot_text(lot: str) -> str:
     return tr("lot {lot}", lot=lot) if lot else ""
 
 
+def unit_text(serial_number: str, lot: str) -> str:
+    """A unit by what a person can read on it, to be held against that."""
+    return " · ".join(filter(None, (serial_number, lot_text(lot))))
+
+
 def stopped_text(points: int) -> str:
     """What is left of a run that the person stopped after so many points, and what there is to do with it."""
     return in_language(
