@@ -23,6 +23,7 @@ from tumble.app.console import messages, parameter_table, results, run_display, 
 from tumble.app.files import is_recording
 from tumble.app.jobs import find_job, measured_at_stand
 from tumble.app.joining import read_together
+from tumble.app.last_calibration import other_lots
 from tumble.app.learning import contradictions_of, learn
 from tumble.app.loop_console import tell_closing
 from tumble.app.measurements import read_measurement
@@ -227,6 +228,7 @@ def _tell(
             results().print(parameter_table(traced))
         _tell_set_aside(traced.rows)
     warn(contradictions_of(traced))
+    warn(() if record is None else other_lots(folder, record))
     recorded = {} if record is None else {"record": record.id}
     say(*(Message("record {name}", name=name) for name in recorded.values()), err=True)
     options.write_json(

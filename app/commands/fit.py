@@ -9,6 +9,7 @@ from tumble.app.analysing import fit, trace
 from tumble.app.commands import options
 from tumble.app.commands.leaving import leave_by
 from tumble.app.console import results, show_result, warn
+from tumble.app.last_calibration import other_lots
 from tumble.app.measurements import read_measurement
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
@@ -59,7 +60,9 @@ def command(
     if traced is not None and folder is not None:
         from tumble.app.calibrating import store  # what drives a stand comes with it
 
-        document["record"] = store(traced, folder).id
+        record = store(traced, folder)
+        document["record"] = record.id
+        warn(other_lots(folder, record))
         say(Message("record {record_id}", record_id=document["record"]), err=True)
     options.write_json(document, json_path)
     leave_by(result.verdict)

@@ -4,9 +4,12 @@ from itertools import count
 
 import pytest
 from app_jobs import TINY, tumble
+from records_examples import calibration, provenance, raw_source
 
 from tumble.app.analysing import fit
+from tumble.app.last_calibration import other_lots
 from tumble.app.recall import recall
+from tumble.calibrations.methods.dividing_head.entry import entry
 from tumble.calibrations.records.store import Store
 
 TABLE = "angle_deg,voltage_V\n" + "".join(f"{angle},{angle % 7}\n" for angle in range(0, 360, 10))
@@ -74,3 +77,49 @@ def test_the_report_of_a_table_names_the_lot_that_is_given(write, tmp_path):
     table, page = write("t.csv", TABLE), tmp_path / "t.html"
     assert tumble("report", table, "--lot", "L 26/3", "--out", page).status == 0
     assert "L 26/3" in page.read_text("utf-8")
+
+
+@pytest.fixture
+def kept(tmp_path):
+    """Keeps a unit as of a lot, measured on a day, and returns the record."""
+    store, number = Store(tmp_path / "store"), count(1)
+
+    def keep(unit, lot, day):
+        source = raw_source(path=f"{next(number)}.csv", sha256=f"{day:064d}")
+        stand = {"name": "simulated", "head": {"driver": "simulated"}}
+        origin = provenance(
+            serial_number=unit, lot=lot, stand=stand, sources=(source,), measured_at=f"2020-01-{day:02d}T10:00:00Z"
+        )
+        return store.add(entry(calibration()), origin)
+
+    return keep
+
+
+@pytest.mark.parametrize(
+    ("earlier", "told"),
+    [
+        ([("SN-1", "L 1")], True),
+        ([("SN-1", "L 1"), ("SN-1", "")], True),
+        ([("SN-1", "L 1"), ("SN-1", "L 2")], False),
+        ([("SN-1", "")], False),
+        ([("SN-2", "L 1")], False),
+    ],
+)
+def test_a_unit_of_which_the_last_record_names_another_lot_is_told_of(kept, tmp_path, earlier, told):
+    first, *_ = [kept(unit, lot, day) for day, (unit, lot) in enumerate(earlier, 11)]
+    said = (f"SN-1 is of lot L 2 here, but of lot L 1 in record {first.id}; see which is right",)
+    assert other_lots(tmp_path / "store", kept("SN-1", "L 2", 21)) == (said if told else ())
+
+
+def test_a_unit_without_a_lot_contradicts_none(kept, tmp_path):
+    kept("SN-1", "L 1", 11)
+    assert other_lots(tmp_path / "store", kept("SN-1", "", 12)) == ()
+
+
+@pytest.mark.parametrize("command", ["calibrate", "close-loop"])
+def test_who_gives_another_lot_at_the_stand_is_warned(kept, write, tmp_path, command):
+    kept("SN-1", "L 1", 11)
+    stand = ("--programme", write("tiny.toml", TINY), "--store", tmp_path / "store")
+    ran = tumble(command, *stand, "--serial", "SN-1", "--lot", "L 2")
+    assert ran.status == 0, ran.err
+    assert "warning: SN-1 is of lot L 2 here, but of lot L 1 in record " in ran.err

@@ -5,8 +5,12 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
+from records_examples import calibration, provenance
 
+from tumble.calibrations.methods.dividing_head.entry import entry
+from tumble.calibrations.records.store import Store
 from tumble.procedures.errors import InputError
+from tumble.window.screens.result import notices_of
 from tumble.window.work.activity import Calibration
 
 
@@ -66,3 +70,14 @@ def test_another_run_leaves_what_was_typed_for_the_next_one(driver, tiny, tmp_pa
 def test_a_mount_is_asked_for_by_unit_and_lot(driver):
     driver.run.view.begin(replace(driver.run.form.job(), lot="L 26/3"), driver.run.form.job().plan())
     assert driver.run.view.prompt.unit.text == "A-1 · lot L 26/3"
+
+
+def test_a_result_says_that_its_unit_was_of_another_lot_before(driver, tiny, tmp_path, no_report):
+    stand = {"head": {"driver": "simulated"}}
+    origin = provenance(serial_number="A-1", lot="L 1", stand=stand, measured_at="2020-01-01T10:00:00Z")
+    before = Store(tmp_path / "store").add(entry(calibration()), origin)
+    driver.run.form.lot.setText("L 2")
+    driver.run.form.add_programme(str(tiny))
+    driver.run.start()
+    said = f"A-1 is of lot L 2 here, but of lot L 1 in record {before.id}; see which is right"
+    assert said in notices_of(driver.wait_for_result())
