@@ -31,12 +31,13 @@ def other_lots(folder: Path, record: "Record") -> tuple[str, ...]:
     from tumble.calibrations.records.changes import LOOKED_AT
 
     lot, unit = record.provenance.lot, record.provenance.serial_number
+    if not lot:
+        return ()
     try:
-        named = (each for each in open_store(folder).before(record, LOOKED_AT) if each.provenance.lot)
-        last = next(named, None)
+        last = next((each for each in open_store(folder).before(record, LOOKED_AT) if each.provenance.lot), record)
     except (RecordError, StoreError):
         return ()
-    if last is None or lot in ("", last.provenance.lot):
+    if last.provenance.lot == lot:
         return ()
     said = Message(
         "{unit} is of lot {lot} here, but of lot {other_lot} in record {record_id}; see which is right",
