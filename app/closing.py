@@ -26,7 +26,7 @@ from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.link import Link
 from tumble.calibrations.tracing.next_run import cannot, cheapest, experiments_for
 from tumble.calibrations.tracing.stage import ClosedLoop, stage_of
-from tumble.messages import Message
+from tumble.messages import AsWritten, Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 
@@ -94,8 +94,8 @@ def _begun(files: Sequence[Path], at: AtStand) -> Closing:
                 "{path}: holds unit {serial_number}, and {wanted} is to be measured; give files of that "
                 "unit, or its --serial",
                 path=measurement.path,
-                serial_number=measurement.header.serial_number,
-                wanted=at.serial_number,
+                serial_number=AsWritten(measurement.header.serial_number),
+                wanted=AsWritten(at.serial_number),
             )
         )
     part = find_job(measurement.method)

@@ -10,7 +10,7 @@ from tumble.app.measurement import Measurement
 from tumble.app.measurements import read_measurement
 from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.rows import Rows
-from tumble.messages import Message
+from tumble.messages import AsWritten, Message
 from tumble.procedures.errors import InputError
 
 
@@ -85,9 +85,9 @@ def _refuse_other_units(measurements: Sequence[Measurement]) -> None:
                     "give only files of "
                     "one unit",
                     path=path,
-                    serial_number=serial_number,
+                    serial_number=AsWritten(serial_number),
                     other=recorded[0][0],
-                    other_serial_number=recorded[0][1],
+                    other_serial_number=AsWritten(recorded[0][1]),
                 )
             )
 
@@ -99,8 +99,8 @@ def _different_lots(lots: Sequence[tuple[Path, str]]) -> Iterator[str]:
             yield Message(
                 "{path}: the unit is of lot {lot} here, but of lot {other_lot} in {other}; see which is right",
                 path=path,
-                lot=lot,
-                other_lot=lots[0][1],
+                lot=AsWritten(lot),
+                other_lot=AsWritten(lots[0][1]),
                 other=lots[0][0],
             )
 

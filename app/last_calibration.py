@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from tumble.app.opening import open_store
 from tumble.calibrations.records.errors import RecordError, StoreError
-from tumble.messages import Message
+from tumble.messages import AsWritten, Message
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.changes import Change
@@ -41,9 +41,9 @@ def other_lots(folder: Path, record: "Record") -> tuple[str, ...]:
         return ()
     said = Message(
         "{unit} is of lot {lot} here, but of lot {other_lot} in record {record_id}; see which is right",
-        unit=unit,
-        lot=lot,
-        other_lot=last.provenance.lot,
+        unit=AsWritten(unit),
+        lot=AsWritten(lot),
+        other_lot=AsWritten(last.provenance.lot),
         record_id=last.id,
     )
     return (said,)

@@ -20,7 +20,7 @@ from tumble.calibrations.records.export import document
 from tumble.calibrations.records.findings import names_found, words_of
 from tumble.calibrations.records.old_formats import OLD_WORDS, outcome_of
 from tumble.calibrations.records.record import Record
-from tumble.messages import Message
+from tumble.messages import AsWritten, Message
 
 
 @click.group("records")
@@ -101,9 +101,9 @@ def _origin(record: Record) -> Iterator[str]:
     origin = record.provenance
     version = Message("{method}, version {version}", method=record.method, version=record.method_version)
     yield labelled(Message("method"), version)
-    yield labelled(Message("unit"), origin.serial_number)
+    yield labelled(Message("unit"), AsWritten(origin.serial_number))
     if origin.lot:
-        yield labelled(Message("lot"), origin.lot)
+        yield labelled(Message("lot"), AsWritten(origin.lot))
     yield labelled(Message("programme"), f"{origin.programme_name} {origin.programme_sha256[:12]}")
     yield labelled(Message("measured"), origin.measured_at)
     for source in origin.sources:

@@ -123,3 +123,13 @@ def test_who_gives_another_lot_at_the_stand_is_warned(kept, write, tmp_path, com
     ran = tumble(command, *stand, "--serial", "SN-1", "--lot", "L 2")
     assert ran.status == 0, ran.err
     assert "warning: SN-1 is of lot L 2 here, but of lot L 1 in record " in ran.err
+
+
+@pytest.mark.parametrize("language", ["de", "uk"])
+def test_unit_and_lot_are_shown_as_they_are_written_in_every_language(write, tmp_path, language):
+    store = ("--store", tmp_path / "store")
+    ran = tumble("fit", write("t.csv", TABLE), "--serial", "SN 1.5 V", "--lot", "L 26.3 to 50%", *store)
+    assert ran.status == 0, ran.err
+    record = Store.existing(tmp_path / "store").latest("SN 1.5 V")
+    shown = tumble("--language", language, "records", "show", record.id, *store).out
+    assert {line[11:] for line in shown.splitlines()} >= {"SN 1.5 V", "L 26.3 to 50%"}

@@ -2,6 +2,7 @@
 
 from tumble.drivers.manual import format_dms
 from tumble.messages import Message, translate
+from tumble.numerals import localised
 from tumble.procedures.events import (
     ConditionAnswered,
     ConditionRequested,
@@ -131,4 +132,6 @@ def in_language(text: str) -> str:
 
     What documents call by a name is called in words.
     """
-    return local(text.worded(spoken()) if isinstance(text, Message) else translate(text, spoken()))
+    if isinstance(text, Message):
+        return localised(text.worded(spoken()), spoken(), text.as_written())
+    return local(translate(text, spoken()))
