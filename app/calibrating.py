@@ -12,7 +12,7 @@ from tumble.app.analysing import fit, trace
 from tumble.app.exits import Exit, JobError
 from tumble.app.jobs import find_job
 from tumble.app.kept_reports import keep, report_path
-from tumble.app.last_calibration import changes_since
+from tumble.app.last_calibration import changes_since, other_lots
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.recording_names import recording_path
@@ -99,6 +99,8 @@ class Calibrated:
     report: Path
     learned: Learned
     """What the run says of its stand."""
+    doubts: tuple[str, ...]
+    """What earlier records of the unit say otherwise of it."""
 
 
 def calibrate(
@@ -213,4 +215,7 @@ def keep_result(
             ),
             error.status,
         ) from error
-    return Calibrated(analysed=traced, record=record, recording=recording, report=report, learned=learned)
+    doubts = other_lots(folder, record)
+    return Calibrated(
+        analysed=traced, record=record, recording=recording, report=report, learned=learned, doubts=doubts
+    )

@@ -26,7 +26,7 @@ from tumble.calibrations.tracing.experiments import Experiment
 from tumble.calibrations.tracing.link import Link
 from tumble.calibrations.tracing.next_run import cannot, cheapest, experiments_for
 from tumble.calibrations.tracing.stage import ClosedLoop, stage_of
-from tumble.messages import Message
+from tumble.messages import AsWritten, Message
 from tumble.procedures.announcer import Listener
 from tumble.procedures.errors import InputError
 
@@ -87,15 +87,15 @@ def _programme_name(measurement: Measurement) -> str:
 
 def _begun(files: Sequence[Path], at: AtStand) -> Closing:
     """What a first measurement says; several files are taken together."""
-    measurement = with_what_is_known(read_together(files, at.stand.recorded), at.folder, at.effects)
+    measurement = _taken_together(files, at)
     if measurement.header and measurement.header.serial_number != at.serial_number:
         raise InputError(
             Message(
                 "{path}: holds unit {serial_number}, and {wanted} is to be measured; give files of that "
                 "unit, or its --serial",
                 path=measurement.path,
-                serial_number=measurement.header.serial_number,
-                wanted=at.serial_number,
+                serial_number=AsWritten(measurement.header.serial_number),
+                wanted=AsWritten(at.serial_number),
             )
         )
     part = find_job(measurement.method)
@@ -114,7 +114,7 @@ def _begun(files: Sequence[Path], at: AtStand) -> Closing:
 def follow(closing: Closing, experiment: Experiment, recording: Path, stand_time_s: float, at: AtStand) -> Closing:
     """What everything says together once an experiment was run. Raises `InputError`."""
     files = (*closing.files, recording)
-    measurement = with_what_is_known(read_together(files, at.stand.recorded), at.folder, at.effects)
+    measurement = _taken_together(files, at)
     traced = _traced(measurement, at)
     link = Link(
         experiment=experiment,
@@ -261,6 +261,11 @@ def _elsewhere(closing: Closing) -> dict[str, tuple[Experiment, str]]:
     refused = closing.available.refused
     wanted = experiments_for(closing.traced.explained, [offer.probe for offer, _ in refused.values()])
     return {each.programme: (each, refused[each.programme][1]) for each in wanted if each.command}
+
+
+def _taken_together(files: Sequence[Path], at: AtStand) -> Measurement:
+    measurement = with_what_is_known(read_together(files, at.stand.recorded), at.folder, at.effects)
+    return measurement.of_lot(at.lot)
 
 
 def _traced(measurement: Measurement, at: AtStand) -> Traced:

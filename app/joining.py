@@ -1,6 +1,6 @@
 """Several raw files of one unit as one measurement: a table, say, and the experiments that were run after it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -10,7 +10,7 @@ from tumble.app.measurement import Measurement
 from tumble.app.measurements import read_measurement
 from tumble.calibrations.core.joining import joined
 from tumble.calibrations.core.rows import Rows
-from tumble.messages import Message
+from tumble.messages import AsWritten, Message
 from tumble.procedures.errors import InputError
 
 
@@ -38,9 +38,12 @@ def read_together(paths: Sequence[Path], stand: Mapping[str, Any] | None = None)
     _refuse_other_methods(measurements)
     _refuse_twice(measurements)
     _refuse_other_units(measurements)
+    rows = joined([_answered(each) for each in measurements], [_start_s(each) for each in measurements])
+    lots = [(each.path, each.lot) for each in measurements if each.lot]
     return replace(
         first,
-        observations=joined([_answered(each) for each in measurements], [_start_s(each) for each in measurements]),
+        observations=replace(rows, warnings=(*rows.warnings, *_different_lots(lots))),
+        lot=lots[0][1] if lots else "",
         stand=next((each.stand for each in measurements if each.stand), {}),
         header=next((each.header for each in measurements if each.header), None),
         others=tuple(others),
@@ -82,10 +85,23 @@ def _refuse_other_units(measurements: Sequence[Measurement]) -> None:
                     "give only files of "
                     "one unit",
                     path=path,
-                    serial_number=serial_number,
+                    serial_number=AsWritten(serial_number),
                     other=recorded[0][0],
-                    other_serial_number=recorded[0][1],
+                    other_serial_number=AsWritten(recorded[0][1]),
                 )
+            )
+
+
+def _different_lots(lots: Sequence[tuple[Path, str]]) -> Iterator[str]:
+    """A unit has one lot, but who is right a file cannot say."""
+    for path, lot in lots[1:]:
+        if lot != lots[0][1]:
+            yield Message(
+                "{path}: the unit is of lot {lot} here, but of lot {other_lot} in {other}; see which is right",
+                path=path,
+                lot=AsWritten(lot),
+                other_lot=AsWritten(lots[0][1]),
+                other=lots[0][0],
             )
 
 

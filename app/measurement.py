@@ -1,9 +1,9 @@
 """A raw file as the analysis needs it, recording or table alike."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, Self, TypeVar
 
 from pydantic import ValidationError
 
@@ -35,6 +35,8 @@ class Measurement:
     """The stand file as data, without what is simulated; empty for a table."""
     header: Header | None = None
     """None for a table."""
+    lot: str = ""
+    """In which the unit was made; empty where nobody said so."""
     others: tuple["Measurement", ...] = ()
     """Further files whose rows are in `observations` too."""
     serials: Mapping[str, str] = field(default_factory=dict)
@@ -43,6 +45,10 @@ class Measurement:
     """What the rows were corrected by."""
     adopted: tuple[AdoptedEffect, ...] = ()
     """Effects of the laboratory's own that are sought in it beside those of the method."""
+
+    def of_lot(self, lot: str) -> Self:
+        """The same of a unit of another lot, where one is named."""
+        return replace(self, lot=lot) if lot else self
 
     def source(self, folder: Path) -> Source:
         """The file as records name it, its path relative to a folder if it lies in it."""

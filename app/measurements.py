@@ -95,6 +95,7 @@ def _read_recording(path: Path, stand: Mapping[str, Any] | None) -> Measurement:
         observations=table,
         stand=header.stand if stand is None else stand,
         header=header,
+        lot=header.lot,
         serials={event.instrument: event.serial for event in recording.events if isinstance(event, Identified)},
     )
 
@@ -106,7 +107,7 @@ def provenance(measurement: Measurement, serial_number: str = "", folder: Path |
     programme = measurement.programme
     return Provenance(
         serial_number=serial_number or (header.serial_number if header else "") or measurement.path.stem,
-        lot=header.lot if header else "",
+        lot=measurement.lot,
         operator=header.operator if header else "",
         programme_name=programme.name if programme else "",
         programme_sha256=header.programme_sha256 if header else "",

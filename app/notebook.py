@@ -22,6 +22,7 @@ from tumble.app.joining import read_together
 from tumble.app.measurements import read_measurement
 from tumble.app.methods import close_loop as close_tables
 from tumble.app.methods import method_of
+from tumble.app.names import given_name, given_serial_number
 from tumble.app.running import Job, Outline, failure
 from tumble.app.running import run as measure
 from tumble.app.stand import load_stand, read_stand
@@ -242,7 +243,13 @@ def records(store: Place) -> "Store":
 def _job(programme: Place, serial_number: str, stand: Place | None, lot: str, operator: str) -> Job:
     wanted = _programme(programme)
     loaded = load_stand(_path(stand), wanted.method)
-    return Job(stand=loaded, programme=wanted, serial_number=serial_number, lot=lot, operator=operator)
+    return Job(
+        stand=loaded,
+        programme=wanted,
+        serial_number=given_serial_number(serial_number, "serial_number"),
+        lot=given_name(lot, "lot"),
+        operator=given_name(operator, "operator"),
+    )
 
 
 def _programme(programme: Place) -> Programme:

@@ -42,7 +42,7 @@ def recall(folder: Path, record_id: str) -> tuple[Record, Measurement]:
             )
         )
     measurement = read_together(store.raw_files(record), record.provenance.stand)
-    return record, _as_corrected(measurement, record, folder)
+    return record, _as_corrected(measurement.of_lot(record.provenance.lot), record, folder)
 
 
 def record_of(recording: Path, header: Header, folder: Path) -> Record | None:

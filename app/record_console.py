@@ -15,7 +15,7 @@ from tumble.messages import Message
 _NAMES = 7
 """Width of the column of names; longer names widen it."""
 _HEADINGS: Final = (
-    Message("unit"),
+    Message("unit, lot"),
     Message("programme"),
     Message("measured"),
     Message("revision"),
@@ -25,7 +25,7 @@ _HEADINGS: Final = (
 
 
 def listing(found: tuple[Record, ...]) -> Table | str:
-    """A line for every record, and its method below: a further column would break serial numbers."""
+    """A line for every record, its method and lot below: further columns would break serial numbers."""
     if not found:
         return Message("No record matches.")
     table = Table(Column(Message("record, method"), no_wrap=True), *_HEADINGS)
@@ -41,7 +41,7 @@ def listing(found: tuple[Record, ...]) -> Table | str:
             record.verdict.outcome.words,
             _result(record),
         )
-        table.add_row(record.method)
+        table.add_row(record.method, origin.lot)
     return table
 
 

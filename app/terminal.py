@@ -14,7 +14,7 @@ import click
 
 from tumble.drivers.text import visible
 from tumble.messages import Language, Message
-from tumble.numerals import localised
+from tumble.numerals import in_words_of
 
 LONGEST_LINE: Final = 20_000
 """Characters of a line that is shown."""
@@ -55,7 +55,7 @@ def shown(text: str, most: int = LONGEST_LINE) -> str:
         Characters, of which the middle gives way.
     """
     spoken = _SPEECH.language
-    return visible(localised(text.in_language(spoken), spoken) if isinstance(text, Message) else text, most)
+    return visible(in_words_of(text, spoken) if isinstance(text, Message) else text, most)
 
 
 def say(*lines: str, err: bool = False, most: int = LONGEST_LINE) -> None:

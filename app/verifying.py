@@ -1,7 +1,7 @@
 """A store held against its folder: every record verified, and what has no record named."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
@@ -21,6 +21,7 @@ from tumble.procedures.errors import InputError
 from tumble.procedures.recording.errors import RecordingError
 
 if TYPE_CHECKING:
+    from tumble.calibrations.records.record import Record
     from tumble.calibrations.records.store import Store
 
 _ID = re.compile(r"\d{8}-\d{6}-[0-9a-f]{6}")
@@ -78,20 +79,26 @@ class Finding:
 
 def verified_record(store: "Store", record_id: str) -> Finding:
     """Verify one record; what keeps that from being done is a finding like another."""
+    return _looked_at(store, record_id, _verified)
+
+
+def _looked_at(store: "Store", record_id: str, look: "Callable[[Store, Record], Finding]") -> Finding:
     try:
-        record = store.get(record_id)
-        found = verify_record(store, record)
+        return look(store, store.get(record_id))
     except (StoreError, RecordError, InputError, JobError) as error:
-        return Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(Message("{error}.", error=error),))
-    except (AttributeError, KeyError, TypeError, ValueError) as error:  # whatever was put into its JSON
-        damaged = Message(
+        why = Message("{error}.", error=error)
+    except (AttributeError, KeyError, TypeError, ValueError, RecursionError) as error:  # whatever was put into its JSON
+        why = Message(
             "The record is damaged ({kind}: {error}); restore {path} from a backup.",
             kind=type(error).__name__,
             error=error,
             path=store.path,
         )
-        return Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(damaged,))
-    old = unprotected(store.raw_files(record))
+    return Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(why,))
+
+
+def _verified(store: "Store", record: "Record") -> Finding:
+    found, old = verify_record(store, record), unprotected(store.raw_files(record))
     judgement = Judgement.VERIFIED if found.verified else Judgement.NOT_VERIFIED
     return Finding(name=record.id, judgement=judgement, sentences=(*found.sentences, *([old] if old else [])))
 
@@ -129,18 +136,17 @@ def _removed(record_id: str) -> Finding:
 def _superseded(store: "Store", inventory: Inventory) -> Iterator[Finding]:
     """Superseded records that were altered; they are not fitted again."""
     for record_id in sorted(inventory.ids - set(store.standing())):
-        try:
-            found = altered(store.get(record_id), store)
-        except StoreError as error:
-            yield Finding(
-                name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(Message("{error}.", error=error),)
-            )
-        else:
-            if found:
-                words = Message(
-                    "Altered in the store: {listed}; restore the store from a backup.", listed=", ".join(found)
-                )
-                yield Finding(name=record_id, judgement=Judgement.NOT_VERIFIED, sentences=(words,))
+        found = _looked_at(store, record_id, _unaltered)
+        if not found.good:
+            yield found
+
+
+def _unaltered(store: "Store", record: "Record") -> Finding:
+    parts = altered(record, store)
+    if not parts:
+        return Finding(name=record.id, judgement=Judgement.VERIFIED, sentences=())
+    words = Message("Altered in the store: {listed}; restore the store from a backup.", listed=", ".join(parts))
+    return Finding(name=record.id, judgement=Judgement.NOT_VERIFIED, sentences=(words,))
 
 
 def _chain(chain: Chain) -> Finding:

@@ -106,12 +106,17 @@ class Message(str):
             template = _looked_up(self.template, language)
         return template.format(**{name: _worded(value, language) for name, value in self.fields.items()})
 
+    def as_written(self) -> frozenset[str]:
+        """The texts in its fields, and in those of its parts, that are the same in every language."""
+        parts = (each.as_written() for each in self.fields.values() if isinstance(each, Message))
+        return frozenset(each for each in self.fields.values() if isinstance(each, AsWritten) and each).union(*parts)
+
     def __reduce__(self) -> tuple[object, ...]:
         return _restored, (type(self), self[:], self.template, self.plural, dict(self.fields))
 
 
 class AsWritten(str):
-    """Text that is the same in every language: a version, a path, what a file says."""
+    """Text that is the same in every language: a version, a path, what a file says, the name of a unit."""
 
     __slots__ = ()
 

@@ -1,9 +1,10 @@
 """Numbers and units in a text, as a language writes them."""
 
 import re
+from collections.abc import Collection
 from typing import Final
 
-from tumble.messages import AsWritten, Language
+from tumble.messages import AsWritten, Language, Message
 
 _NUMBER: Final = re.compile(r"(?<![\w./\\])(?<![A-Za-z]-)(\d+)\.(\d+)(?=e[+-]?\d|(?![\d_A-Za-z]|\.\w))")
 """A decimal number; no version, and no part of the name of a file or of a serial number."""
@@ -43,14 +44,27 @@ _CYRILLIC: Final = {
 _TO: Final = {Language.UKRAINIAN: " … ", Language.GERMAN: " bis "}
 
 
-def localised(text: str, language: Language) -> str:
+def localised(text: str, language: Language, kept: Collection[str] = ()) -> str:
     """Text with numbers and units in it, with the decimal sign, the ranges and the units of a language.
 
     Paths, names of files, addresses, options of commands and what is quoted stay as they are; so does
-    text that is `AsWritten`.
+    text that is `AsWritten`, and what is `kept`.
     """
     if language is Language.ENGLISH or isinstance(text, AsWritten):
         return text
+    if not kept:
+        return _localised(text, language)
+    words = "|".join(map(re.escape, sorted(kept, key=len, reverse=True)))
+    parts = re.split(rf"(?<![\w.])({words})(?!\w|\.\w)", text)
+    return "".join(part if place % 2 else _localised(part, language) for place, part in enumerate(parts))
+
+
+def in_words_of(message: Message, language: Language) -> str:
+    """A message in a language, with its numbers and units; what is `AsWritten` in it stays so."""
+    return localised(message.in_language(language), language, message.as_written())
+
+
+def _localised(text: str, language: Language) -> str:
     written, end = "", 0
     for data in _DATA.finditer(text):
         written += _written(text[end : data.start()], language) + data[0]

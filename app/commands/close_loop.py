@@ -3,6 +3,7 @@
 import shlex
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ from tumble.app.console import messages, parameter_table, results, run_display, 
 from tumble.app.files import is_recording
 from tumble.app.jobs import find_job, measured_at_stand
 from tumble.app.joining import read_together
+from tumble.app.last_calibration import other_lots
 from tumble.app.learning import contradictions_of, learn
 from tumble.app.loop_console import tell_closing
 from tumble.app.measurements import read_measurement
@@ -135,7 +137,7 @@ def _traced(
     """What files say, without a stand to ask; `folder` is that of the store, None where there will be no record."""
     stand = read_stand(wanted.stand_path).recorded if wanted.stand_path else None
     measurement = with_what_is_known(read_together(files, stand), known.folder, known.effects)
-    return trace(fit(measurement, wanted.serial_number, trials, folder))
+    return trace(fit(measurement.of_lot(wanted.lot), wanted.serial_number, trials, folder))
 
 
 def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, known: options.Known) -> Closing:
@@ -160,7 +162,8 @@ def _closed(wanted: Wanted, files: tuple[Path, ...], most: int, known: options.K
             if not files:
                 with watching(at.job(programme)) as display:
                     files = (measure(at, programme, [display]),)
-            return act(begin(files, at), at, most, watching, tell_closing)
+            begun = begin(files, at)
+            return act(begun, replace(at, lot=begun.traced.measurement.lot), most, watching, tell_closing)
 
 
 @contextmanager
@@ -225,6 +228,7 @@ def _tell(
             results().print(parameter_table(traced))
         _tell_set_aside(traced.rows)
     warn(contradictions_of(traced))
+    warn(() if record is None else other_lots(folder, record))
     recorded = {} if record is None else {"record": record.id}
     say(*(Message("record {name}", name=name) for name in recorded.values()), err=True)
     options.write_json(

@@ -9,6 +9,7 @@ from tumble.app.analysing import fit, trace
 from tumble.app.commands import options
 from tumble.app.commands.leaving import leave_by
 from tumble.app.console import results, show_result, warn
+from tumble.app.last_calibration import other_lots
 from tumble.app.measurements import read_measurement
 from tumble.app.sections import show_sections
 from tumble.app.stand import read_stand
@@ -21,6 +22,7 @@ from tumble.messages import Message
 @options.json_out
 @click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
 @options.serial_of_file
+@options.lot_of_file
 @click.option("--store", "folder", type=options.EXISTING, help="Folder of the records; without it nothing is stored.")
 @options.effects
 @options.verbose
@@ -29,6 +31,7 @@ def command(
     json_path: Path | None,
     stand_path: Path | None,
     serial_number: str,
+    lot: str,
     folder: Path | None,
     effects: Path | None,
     verbose: bool,
@@ -39,7 +42,7 @@ def command(
     alone.
     """
     measurement = read_measurement(file, read_stand(stand_path).recorded if stand_path else None)
-    measurement = with_what_is_known(measurement, folder, effects)
+    measurement = with_what_is_known(measurement, folder, effects).of_lot(lot)
     analysed = fit(measurement, serial_number, folder=folder)
     traced = trace(analysed) if analysed.limits or folder is not None or effects is not None else None
     result = traced or analysed
@@ -57,7 +60,9 @@ def command(
     if traced is not None and folder is not None:
         from tumble.app.calibrating import store  # what drives a stand comes with it
 
-        document["record"] = store(traced, folder).id
+        record = store(traced, folder)
+        document["record"] = record.id
+        warn(other_lots(folder, record))
         say(Message("record {record_id}", record_id=document["record"]), err=True)
     options.write_json(document, json_path)
     leave_by(result.verdict)

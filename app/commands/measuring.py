@@ -12,6 +12,7 @@ import click
 from tumble.app.commands import options
 from tumble.app.console import warn
 from tumble.app.listening import listening, nothing_typed, typed_here
+from tumble.app.names import given_serial_number
 from tumble.app.patience import PatientControl
 from tumble.app.resuming import lived_through
 from tumble.app.running import Job
@@ -20,9 +21,7 @@ from tumble.app.stand import LoadedStand, load_stand
 from tumble.app.stand_lock import holding
 from tumble.app.terminal import say
 from tumble.app.wiring import Connected, connect
-from tumble.drivers.text import LONGEST_NAME
 from tumble.messages import Message
-from tumble.procedures.errors import InputError
 from tumble.procedures.programme import Programme
 from tumble.procedures.programmes import load_programme
 
@@ -44,10 +43,7 @@ class Wanted:
 
         Without a stand file it is the stand that is built in for the programme's method.
         """
-        if not self.serial_number.strip():
-            raise InputError(
-                Message("--serial: give the unit's serial number, 1 to {most} characters", most=LONGEST_NAME)
-            )
+        given_serial_number(self.serial_number, "--serial")
         if self.stand_path is not None:
             return load_stand(self.stand_path), load_programme(self.programme)
         programme = load_programme(self.programme)

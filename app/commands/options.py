@@ -12,10 +12,9 @@ import click
 
 from tumble.app.files import check_result, write_text
 from tumble.app.kinds import Kind, report_kind
+from tumble.app.names import given_name
 from tumble.app.terminal import as_json, say_document
-from tumble.drivers.text import check_name
 from tumble.messages import Message
-from tumble.procedures.errors import InputError
 
 
 class Output(click.Path):
@@ -79,11 +78,8 @@ def known(function: Callable[..., None]) -> Callable[..., None]:
 
 
 def name(_context: click.Context, parameter: click.Parameter, value: str) -> str:
-    """Refuse what cannot serve as a name. Raises `InputError`."""
-    try:
-        return check_name(value)
-    except ValueError as error:
-        raise InputError(Message("{option}: {error}", option=parameter.opts[0], error=error)) from error
+    """A name without the blanks round it. Raises `InputError` where it can be none."""
+    return given_name(value, parameter.opts[0])
 
 
 serial = click.option("--serial", "serial_number", default="", callback=name, help="Serial number of the unit.")
@@ -98,6 +94,9 @@ serial_of_file = click.option(
     help="Serial number of the unit, where the file does not say.",
 )
 lot = click.option("--lot", default="", callback=name, help="Lot in which the unit was made; recorded.")
+lot_of_file = click.option(
+    "--lot", default="", callback=name, help="Lot of the unit, where the file does not say, or says another."
+)
 operator = click.option("--operator", default="", callback=name, help="Who is at the stand; recorded.")
 answers = click.option("--answers", type=EXISTING, help="Answers to prompts, for a run that nobody attends (TOML).")
 attended = click.option(

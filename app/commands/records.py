@@ -17,10 +17,10 @@ from tumble.app.verifying import Finding, Judgement, leftovers, verified_record
 from tumble.calibrations.core.verdict import Model, Outcome
 from tumble.calibrations.records.compare import compare
 from tumble.calibrations.records.export import document
-from tumble.calibrations.records.findings import effects_of
+from tumble.calibrations.records.findings import names_found, words_of
 from tumble.calibrations.records.old_formats import OLD_WORDS, outcome_of
 from tumble.calibrations.records.record import Record
-from tumble.messages import Message, with_wording
+from tumble.messages import AsWritten, Message
 
 
 @click.group("records")
@@ -33,6 +33,11 @@ def command() -> None:
 @click.option("--lot", help="Only units of this lot.")
 @click.option("--method", help="Only this method.")
 @click.option("--programme", "programme_name", help="Only this programme.")
+@click.option(
+    "--effect",
+    "finding",
+    help="Only where this effect was found; if empty, where none was.",
+)
 @click.option("--since", type=click.DateTime(), help="Measured then or later (UTC).")
 @click.option("--until", type=click.DateTime(), help="Measured then or earlier (UTC).")
 @click.option(
@@ -83,8 +88,8 @@ def show(record_id: str, folder: Path) -> None:
     say(*_origin(record))
     if old := unprotected(store.raw_files(record)):
         say(old)
-    if effects := [effect["name"] for effect in effects_of(record)]:
-        say(Message("with {effects}", effects=Message.joined(", ", map(with_wording, effects))))
+    if found := names_found(record):
+        say(Message("with {effects}", effects=Message.joined(", ", map(words_of, found))))
     show_parameters(record.values)
     if record.model is Model.AUGMENTED:
         say(Message("of the declared model alone, which does not describe these data:"))
@@ -96,9 +101,9 @@ def _origin(record: Record) -> Iterator[str]:
     origin = record.provenance
     version = Message("{method}, version {version}", method=record.method, version=record.method_version)
     yield labelled(Message("method"), version)
-    yield labelled(Message("unit"), origin.serial_number)
+    yield labelled(Message("unit"), AsWritten(origin.serial_number))
     if origin.lot:
-        yield labelled(Message("lot"), origin.lot)
+        yield labelled(Message("lot"), AsWritten(origin.lot))
     yield labelled(Message("programme"), f"{origin.programme_name} {origin.programme_sha256[:12]}")
     yield labelled(Message("measured"), origin.measured_at)
     for source in origin.sources:

@@ -20,12 +20,14 @@ from tumble.messages import Message
 )
 @click.option("--stand", "stand_path", type=options.EXISTING, help="Stand file for the budget of a table.")
 @options.serial_of_file
+@options.lot_of_file
 @options.known
 def command(
     file_or_record: str,
     out: Path | None,
     stand_path: Path | None,
     serial_number: str,
+    lot: str,
     known: options.Known,
 ) -> None:
     """Write the report (HTML or PDF) of a recording, an observation table, or a stored record by its id."""
@@ -33,7 +35,7 @@ def command(
     if path.is_file() or path.suffix:  # an id has none
         page = out or path.with_suffix(".html")
         check_result(page, report_kind(page))
-        _report_file(path, page, stand_path, serial_number, known)
+        _report_file(path, page, stand_path, serial_number, lot, known)
     else:
         from tumble.app.reporting import report_again
 
@@ -41,7 +43,9 @@ def command(
     say(Message("report {page}", page=page))
 
 
-def _report_file(path: Path, page: Path, stand_path: Path | None, serial_number: str, known: options.Known) -> None:
+def _report_file(
+    path: Path, page: Path, stand_path: Path | None, serial_number: str, lot: str, known: options.Known
+) -> None:
     """Analyse a file and report it; what that takes is imported here, since a record does without."""
     from tumble.app.adopted_effects import with_what_is_known
     from tumble.app.analysing import fit, trace
@@ -51,4 +55,4 @@ def _report_file(path: Path, page: Path, stand_path: Path | None, serial_number:
 
     measurement = read_measurement(path, read_stand(stand_path).recorded if stand_path else None)
     measurement = with_what_is_known(measurement, known.folder, known.effects)
-    write_report(trace(fit(measurement, serial_number)), page, language())
+    write_report(trace(fit(measurement.of_lot(lot), serial_number)), page, language())

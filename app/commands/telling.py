@@ -23,7 +23,7 @@ def tell_run(recording: Path, points: int, json_path: Path | None) -> None:
 
 def tell_calibrated(done: Calibrated, json_path: Path | None, *, verbose: bool = False) -> None:
     """Show what a calibration gave. Raises `SystemExit` where limits are not met, or nothing is decided of them."""
-    warn(done.analysed.warnings)
+    warn((*done.analysed.warnings, *done.doubts))
     if str(json_path) != "-":
         show_result(done.analysed, verbose=verbose)
         show_sections(done.analysed.sections())

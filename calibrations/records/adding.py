@@ -14,7 +14,7 @@ from tumble.calibrations.records.errors import RecordError
 from tumble.calibrations.records.export import content, flat
 from tumble.calibrations.records.old_formats import provenance_of
 from tumble.calibrations.records.record import FORMAT_VERSION, Link, Record
-from tumble.calibrations.records.rows import record_from_row
+from tumble.calibrations.records.rows import stored_record
 from tumble.calibrations.records.schema import RECORDS
 from tumble.messages import Message
 
@@ -59,7 +59,7 @@ def revisable(connection: Connection, path: Path, record_id: str, entry: Entry, 
                 newer=newer,
             )
         )
-    old = record_from_row(dict(row))
+    old = stored_record(row, path)
     if set(old.provenance.source_hashes) != set(provenance.source_hashes):
         raise RecordError(
             Message(

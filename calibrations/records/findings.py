@@ -1,9 +1,10 @@
 """What the closed loop found in a result, whatever method it is of."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 from tumble.calibrations.records.record import Record
+from tumble.messages import Message, with_wording
 
 UNNAMED: Final = "structure without a name"
 """Stands for it among the names of effects, none of which has a space."""
@@ -19,9 +20,19 @@ def is_unexplained(record: Record) -> bool:
     return _is_unexplained(record.result)
 
 
+def names_found(record: Record) -> tuple[str, ...]:
+    """Everything that was found, each once, as records are searched for it."""
+    return names_of(text_of(record.result))
+
+
+def words_of(name: str) -> str:
+    """What a reader calls it."""
+    return Message("structure without a name") if name == UNNAMED else with_wording(name)
+
+
 def text_of(result: Mapping[str, Any]) -> str:
     """The names of what was found, each on a line that begins and ends with a line break; empty for nothing."""
-    names = {str(effect["name"]) for effect in _effects(result)} | ({UNNAMED} if _is_unexplained(result) else set())
+    names = {effect["name"] for effect in _effects(result)} | ({UNNAMED} if _is_unexplained(result) else set())
     return "\n".join(("", *sorted(names), "")) if names else ""
 
 
@@ -36,14 +47,13 @@ def line_of(name: str) -> str:
 
 
 def _effects(result: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
-    """What a method calls effects and is no list of such, it means something else by."""
     for loop in _loops(result):
-        listed = loop.get("effects")
-        yield from (each for each in listed if _has_name(each)) if isinstance(listed, Sequence) else ()
+        found = loop.get("effects")
+        yield from (each for each in found if _has_a_name(each)) if isinstance(found, list) else ()
 
 
-def _has_name(effect: object) -> bool:
-    return isinstance(effect, Mapping) and "name" in effect
+def _has_a_name(effect: object) -> bool:
+    return isinstance(effect, Mapping) and isinstance(effect.get("name"), str)
 
 
 def _is_unexplained(result: Mapping[str, Any]) -> bool:
@@ -51,6 +61,7 @@ def _is_unexplained(result: Mapping[str, Any]) -> bool:
 
 
 def _loops(result: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    """Those that can be read as one: whatever else somebody put there is for `verify` to say."""
     parameters = result.get("parameters")
     of_parameters = parameters.values() if isinstance(parameters, Mapping) else ()
     yield from (each for each in (result.get("loop", result), *of_parameters) if isinstance(each, Mapping))

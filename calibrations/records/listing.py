@@ -7,6 +7,7 @@ that it shows. A store that has none, made by an earlier version of the program,
 from datetime import datetime
 from sqlite3 import Connection as Database
 from typing import Any, Final
+from unicodedata import normalize
 
 from sqlalchemy import Column, ColumnElement, Connection, Index, Select, func, select
 
@@ -57,15 +58,25 @@ def earlier(record: Record) -> tuple[ColumnElement[bool], ...]:
     )
 
 
+def was_found(name: str) -> ColumnElement[bool]:
+    """Whether something was found in a record; an empty name: nothing was."""
+    return func.instr(RECORDS.c.findings, line_of(name)) > 0 if name else RECORDS.c.findings == ""
+
+
 def names_in(column: Column[str]) -> Select[Any]:
     """Everything that a column of all records says, once and in order; a record that says nothing is left out."""
     return select(column).where(column != "").distinct().order_by(column)
 
 
 def teach_folding(connection: Connection) -> None:
-    """Have a connection compare letters of any script without regard to capitals."""
+    """Have a connection compare letters of any script without regard to capitals, and to how they are put together."""
     database: Database = connection.connection.driver_connection  # type: ignore[assignment]
-    database.create_function("folded", 1, str.casefold, deterministic=True)
+    database.create_function("folded", 1, _folded, deterministic=True)
+
+
+def _folded(text: str | None) -> str:
+    """A letter and its accent are one character or two, which nobody sees."""
+    return normalize("NFC", text or "").casefold()
 
 
 def _conditions(wanted: Wanted) -> list[ColumnElement[bool]]:
@@ -77,16 +88,11 @@ def _conditions(wanted: Wanted) -> list[ColumnElement[bool]]:
         RECORDS.c.stand_name == wanted.stand_name if wanted.stand_name else None,
         RECORDS.c.method == wanted.method if wanted.method else None,
         RECORDS.c.outcome == str(wanted.verdict) if wanted.verdict else None,
-        None if wanted.finding is None else _found(wanted.finding),
+        None if wanted.finding is None else was_found(wanted.finding),
         utc_text(wanted.since) <= MEASURED_AT if wanted.since else None,
         utc_text(wanted.until) >= MEASURED_AT if wanted.until else None,
     ]
     return [condition for condition in conditions if condition is not None]
-
-
-def _found(name: str) -> ColumnElement[bool]:
-    """Whether something was found in a record; an empty name: nothing was."""
-    return func.instr(RECORDS.c.findings, line_of(name)) > 0 if name else RECORDS.c.findings == ""
 
 
 def _contains(column: Column[str], part: str) -> ColumnElement[bool]:
@@ -98,6 +104,6 @@ def _contains(column: Column[str], part: str) -> ColumnElement[bool]:
     if part.isascii():
         return column.contains(part, autoescape=True)
     names = select(column.label("name")).distinct().cte(f"every_{column.name}").prefix_with("MATERIALIZED")
-    fitting = func.instr(func.folded(names.c.name), part.casefold()) > 0
+    fitting = func.instr(func.folded(names.c.name), _folded(part)) > 0
     in_order_of_listing = column + ""
     return in_order_of_listing.in_(select(names.c.name).where(fitting))

@@ -2,16 +2,19 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
 from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.verdict import verdict_from_json
+from tumble.calibrations.records.errors import StoreError
 from tumble.calibrations.records.export import content
 from tumble.calibrations.records.findings import text_of
 from tumble.calibrations.records.old_formats import METHODS_SINCE, provenance_of, unsaid, verdict_of
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Link, Record
 from tumble.calibrations.records.times import read_time, utc_text
+from tumble.messages import Message
 
 _FROM_PROVENANCE = (
     "serial_number",
@@ -77,8 +80,25 @@ def _parameter_row(record_id: str, model: str, parameter: RecordedParameter) -> 
     }
 
 
-def record_from_row(row: Mapping[str, Any]) -> Record:
-    """Undo `record_row`."""
+def stored_record(row: Mapping[Any, Any], path: Path) -> Record:
+    """Undo `record_row`; `path` is that of the store. Raises `StoreError` where the row is damaged."""
+    try:
+        record = _record(row)
+        record.models  # noqa: B018  # up to format 3 these stand in the result, which may be any JSON
+    except (AttributeError, KeyError, TypeError, ValueError, RecursionError) as error:
+        happened = Message(
+            "record {id} is damaged ({error_type}: {error})",
+            id=row["id"],
+            error_type=type(error).__name__,
+            error=error,
+        )
+        raise StoreError(path, happened, Message("restore the file from a backup")) from error
+    return record
+
+
+def _record(row: Mapping[str, Any]) -> Record:
+    if not isinstance(row["result"], Mapping):
+        raise TypeError(Message("its result is no object"))
     limits = tuple(LimitCheck(**check) for check in row["limits"])
     since = row["format_version"] >= METHODS_SINCE
     return Record(

@@ -1,6 +1,6 @@
 """A folder of calibration records."""
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from datetime import datetime
 from itertools import islice
 from pathlib import Path
@@ -26,10 +26,11 @@ from tumble.calibrations.records.listing import (
     names_in,
     newest,
     teach_folding,
+    was_found,
 )
 from tumble.calibrations.records.raw import resolved_path, stored_path
 from tumble.calibrations.records.record import Record
-from tumble.calibrations.records.rows import parameter_rows, record_from_row, record_row
+from tumble.calibrations.records.rows import parameter_rows, record_row, stored_record
 from tumble.calibrations.records.schema import PARAMETERS, RECORDS, STORE_VERSION
 from tumble.calibrations.records.times import utc_now, utc_text
 from tumble.calibrations.records.transactions import migrate, reading, stored_version, writing
@@ -141,6 +142,7 @@ class Store:
         serial_number: str | None = None,
         method: str | None = None,
         lot: str | None = None,
+        finding: str | None = None,
         programme_name: str | None = None,
         since: datetime | None = None,
         until: datetime | None = None,
@@ -150,12 +152,13 @@ class Store:
 
         Those of the same second are in the order in which they were stored.
 
-        `since` and `until`, both included, need a time zone.
+        `since` and `until`, both included, need a time zone; `finding` is as in `Wanted`.
         """
         conditions = [
             RECORDS.c.serial_number == serial_number if serial_number is not None else None,
             RECORDS.c.method == method if method is not None else None,
             RECORDS.c.lot == lot if lot is not None else None,
+            was_found(finding) if finding is not None else None,
             RECORDS.c.programme_name == programme_name if programme_name is not None else None,
             utc_text(since) <= MEASURED_AT if since else None,
             utc_text(until) >= MEASURED_AT if until else None,
@@ -174,7 +177,7 @@ class Store:
             teach_folding(connection)
             ids: Sequence[str] = connection.execute(newest(wanted, limit)).scalars().all()
             rows = connection.execute(select(RECORDS).where(RECORDS.c.id.in_(ids))).mappings()
-            found = {row["id"]: self._record(dict(row)) for row in rows}
+            found = {row["id"]: stored_record(row, self.path) for row in rows}
         return tuple(found[each] for each in ids)
 
     def programmes(self) -> tuple[str, ...]:
@@ -279,7 +282,7 @@ class Store:
     ) -> Record | None:
         query = select(RECORDS).where(STANDS, RECORDS.c.serial_number == serial_number, RECORDS.c.method == method)
         rows = connection.execute(query.order_by(MEASURED_AT, RECORDS.c.id)).mappings()
-        found = [self._record(dict(row)) for row in rows]
+        found = [stored_record(row, self.path) for row in rows]
         return next((each for each in reversed(found) if set(each.provenance.source_hashes) == set(hashes)), None)
 
     def _names_in(self, column: Column[str]) -> tuple[str, ...]:
@@ -288,16 +291,4 @@ class Store:
 
     def _records(self, query: Select[Any]) -> tuple[Record, ...]:
         with storage_errors(self.path), reading(self._engine) as connection:
-            return tuple(self._record(dict(row)) for row in connection.execute(query).mappings())
-
-    def _record(self, row: Mapping[str, Any]) -> Record:
-        try:
-            return record_from_row(row)
-        except (AttributeError, KeyError, TypeError, ValueError) as error:
-            happened = Message(
-                "record {id} is damaged ({error_type}: {error})",
-                id=row["id"],
-                error_type=type(error).__name__,
-                error=error,
-            )
-            raise StoreError(self.path, happened, Message("restore the file from a backup")) from error
+            return tuple(stored_record(row, self.path) for row in connection.execute(query).mappings())

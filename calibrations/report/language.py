@@ -6,7 +6,7 @@ from contextvars import ContextVar
 from typing import Final
 
 from tumble.messages import Language, Message
-from tumble.numerals import localised
+from tumble.numerals import in_words_of, localised
 
 _WRITTEN: Final[ContextVar[Language]] = ContextVar("_WRITTEN", default=Language.ENGLISH)
 
@@ -31,4 +31,4 @@ def say(text: str) -> str:
 
     In English it is the text itself: names of documents (`head_scale`) stay what they are on the terminal.
     """
-    return localised(text.in_language(language()) if isinstance(text, Message) else text, language())
+    return in_words_of(text, language()) if isinstance(text, Message) else localised(text, language())

@@ -116,6 +116,15 @@ def test_experiments_that_were_run_are_taken_up_from_their_files(told_apart, tmp
     assert not (tmp_path / "other" / "recordings").exists()
 
 
+def test_an_experiment_after_files_is_of_their_lot(tmp_path):
+    bench = Bench(tmp_path)
+    assert bench.close_loop("--experiments", 0, "--lot", "L 26/3").status == 0
+    ran = bench.close_loop(*bench.recordings, "--experiments", 1)
+    _, probe = bench.recordings
+    assert ran.status == 0, ran.err
+    assert read_recording(probe).header.lot == "L 26/3"
+
+
 def test_where_the_seat_forbids_what_would_help_that_is_said(tmp_path):
     bench = Bench(tmp_path, head='mounts = ["face-up", "face-down", "edge"]')
     ran = bench.close_loop()

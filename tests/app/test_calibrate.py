@@ -59,6 +59,22 @@ def test_the_recording_knows_unit_lot_operator_and_programme(calibrated):
     assert 'name = "quick"' in header.programme_text
 
 
+def test_blanks_are_no_lot_and_those_round_one_none_of_it(write, tmp_path):
+    programme, recording = write("tiny.toml", TINY), tmp_path / "run.mcap"
+    for given, lot in (("  ", ""), (" L 1 ", "L 1")):
+        ran = tumble("run", "--programme", programme, "--serial", " A ", "--lot", given, "--out", recording)
+        header = read_recording(recording).header
+        recording.unlink()
+
+        assert (ran.status, header.serial_number, header.lot) == (0, "A", lot)
+
+
+def test_a_letter_of_two_characters_is_the_same_name_as_that_of_one(write, tmp_path):
+    recording, lot = tmp_path / "run.mcap", "\N{CYRILLIC CAPITAL LETTER I}\N{COMBINING BREVE}-26"
+    ran = tumble("run", "--programme", write("tiny.toml", TINY), "--serial", "A", "--lot", lot, "--out", recording)
+    assert (ran.status, read_recording(recording).header.lot) == (0, "Й-26")
+
+
 def test_the_report_names_unit_and_record(calibrated):
     (page,) = calibrated.store.glob("reports/*.html")
     text = page.read_text("utf-8")

@@ -135,3 +135,15 @@ def test_a_programme_is_planned_and_run(tmp_path):
     assert tumble.plan("quick").dwells == 60
     recording = tumble.run("probe-end", "SN-2", tmp_path / "run.mcap")
     assert {"u0", "kx"} < {value["name"] for value in tumble.close_loop(recording).values}
+
+
+@pytest.mark.parametrize("name", [{"lot": "A\nB"}, {"operator": "x" * 101}, {"serial_number": "\u202e"}])
+def test_what_cannot_serve_as_a_name_is_refused_before_anything_is_measured(tmp_path, name):
+    with pytest.raises(InputError, match=f"{next(iter(name))}: "):
+        tumble.run("probe-end", **{"serial_number": "SN-2", **name}, recording=tmp_path / "run.mcap")
+    assert not (tmp_path / "run.mcap").exists()
+
+
+def test_a_unit_without_a_serial_number_is_refused(tmp_path):
+    with pytest.raises(InputError, match="serial_number"):
+        tumble.run("probe-end", "  ", tmp_path / "run.mcap")

@@ -103,6 +103,28 @@ def test_a_record_with_another_content_is_not_verified(copied, content):
     assert "0 of 1 record agrees" in ran.out
 
 
+@pytest.mark.parametrize("content", ["[1]", '{"loop": null}', '{"loop": {"effects": [{}]}}', "[" * 100_000])
+def test_a_superseded_record_with_another_content_is_not_verified(copied, content):
+    assert tumble("fit", copied.recording, "--store", copied.store).status == 0
+    past_the_triggers(copied.store, f"UPDATE records SET result = '{content}' WHERE id = '{copied.document['record']}'")
+
+    ran = verified(copied.store)
+
+    assert ran.status == 2
+    assert said_of(ran, copied.document["record"])[0].endswith(": NOT VERIFIED")
+
+
+@pytest.mark.parametrize("content", ["[1]", "null", "[" * 100_000])
+def test_a_list_with_a_record_of_another_content_says_which_store_is_damaged(copied, content):
+    past_the_triggers(copied.store, f"UPDATE records SET result = '{content}'")
+
+    ran = tumble("records", "list", "--store", copied.store)
+
+    assert ran.status == 5
+    assert ran.complaint.startswith(f"{copied.store / 'records.sqlite'}: ")
+    assert "damaged" in ran.complaint
+
+
 def test_a_recording_that_is_missing_is_counted_among_the_others(copied):
     copied.recording.unlink()
 

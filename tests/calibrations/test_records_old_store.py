@@ -238,3 +238,18 @@ def test_a_record_of_before_there_were_lots_says_none_in_its_document(tmp_path):
     assert document(record)["schema"] == "tumble.record/4"
     assert "lot" not in document(record)["provenance"]
     assert record.provenance.lot == ""
+
+
+@pytest.mark.parametrize("content", ["{", "[1]", "null", '{"effects": "k_xx"}', "[" * 100_000])
+@pytest.mark.parametrize("fixture", ["records_v1.sqlite", "records_v4.sqlite"])
+def test_a_damaged_record_is_migrated_as_it_is(tmp_path, fixture, content):
+    shutil.copy(FIXTURES / fixture, tmp_path / DATABASE)
+    with closing(sqlite3.connect(tmp_path / DATABASE)) as connection:
+        connection.execute("DROP TRIGGER records_no_update")
+        connection.execute("UPDATE records SET result = ?", (content,))
+        connection.commit()
+    store = Store.existing(tmp_path)
+    store.migrate()
+    with closing(sqlite3.connect(tmp_path / DATABASE)) as connection:
+        assert connection.execute("SELECT DISTINCT result FROM records").fetchall() == [(content,)]
+    assert store.newest(Wanted(finding="k_xx"), 10) == ()

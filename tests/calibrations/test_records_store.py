@@ -284,6 +284,22 @@ def test_the_newest_are_found_by_a_part_of_their_lot(store, part, lots):
     assert [each.provenance.lot for each in store.newest(Wanted(part_of_lot=part), 10)] == lots
 
 
+@pytest.mark.parametrize("spelt", ["Й", "\N{CYRILLIC CAPITAL LETTER I}\N{COMBINING BREVE}"])
+@pytest.mark.parametrize("sought", ["й", "\N{CYRILLIC SMALL LETTER I}\N{COMBINING BREVE}"])
+def test_a_letter_is_found_whether_it_is_one_character_or_two(store, spelt, sought):
+    store.add(entry(calibration()), provenance(lot=f"{spelt}-26"))
+    assert len(store.newest(Wanted(part_of_lot=f"{sought}-2"), 10)) == 1
+
+
+def test_a_lot_that_was_taken_out_of_its_column_keeps_no_search_from_the_others(store):
+    for lot in ("Ä-1", "Ä-2"):
+        store.add(entry(calibration()), provenance(lot=lot))
+    with sqlite3.connect(store.path) as database:
+        database.execute("DROP TRIGGER records_no_update")
+        database.execute("UPDATE records SET lot = NULL WHERE lot = 'Ä-1'")
+    assert [each.provenance.lot for each in store.newest(Wanted(part_of_lot="ä"), 10)] == ["Ä-2"]
+
+
 def test_all_of_a_lot_are_found_by_its_name(store):
     for lot in ("B-2", "B-21", ""):
         store.add(entry(calibration()), provenance(lot=lot))

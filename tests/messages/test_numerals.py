@@ -1,7 +1,7 @@
 import pytest
 
-from tumble.messages import Language
-from tumble.numerals import localised
+from tumble.messages import AsWritten, Language, Message
+from tumble.numerals import in_words_of, localised
 
 
 @pytest.mark.parametrize(
@@ -83,3 +83,11 @@ def test_units_are_cyrillic_in_ukrainian():
 
 def test_english_is_left_alone():
     assert localised("0.5 to 2.5 mV", Language.ENGLISH) == "0.5 to 2.5 mV"
+
+
+def test_what_is_written_in_a_message_stays_as_it_is():
+    told = Message(
+        "{unit} of lot {lot} reads {value} V", unit=AsWritten("SN 1.5"), lot=AsWritten("26.3"), value="26.31"
+    )
+    both = Message.joined(", ", (told, "50%"))
+    assert in_words_of(both, Language.GERMAN) == "SN 1.5 of lot 26.3 reads 26,31 V, 50\u00a0%"

@@ -270,11 +270,12 @@ def asking_nothing(monkeypatch):
 
 
 def test_another_unit_is_asked_for_where_its_programme_does_not(asking_nothing, driver, tiny, no_report):
+    driver.run.form.lot.setText("L 27")
     add(driver, tiny, "A-1", "B-2")
     driver.press(Qt.Key.Key_F4)
     driver.wait(driver.run.view.unit.isVisible)
     assert stages(driver)[1] == ("B-2", Stage.MOUNTING)
-    assert "put B-2 in its place" in driver.run.view.unit.words.text
+    assert "put B-2 · lot L 27 in its place" in driver.run.view.unit.words.text
     assert driver.window.strip.state.tint is AMBER
     driver.press(Qt.Key.Key_F9)
     wait_for(driver, Stage.JUDGED, Stage.JUDGED)

@@ -2,6 +2,7 @@
 
 from tumble.drivers.manual import format_dms
 from tumble.messages import Message, translate
+from tumble.numerals import localised
 from tumble.procedures.events import (
     ConditionAnswered,
     ConditionRequested,
@@ -110,6 +111,11 @@ def lot_text(lot: str) -> str:
     return tr("lot {lot}", lot=lot) if lot else ""
 
 
+def unit_text(serial_number: str, lot: str) -> str:
+    """A unit by what a person can read on it, to be held against that."""
+    return " · ".join(filter(None, (serial_number, lot_text(lot))))
+
+
 def stopped_text(points: int) -> str:
     """What is left of a run that the person stopped after so many points, and what there is to do with it."""
     return in_language(
@@ -126,4 +132,6 @@ def in_language(text: str) -> str:
 
     What documents call by a name is called in words.
     """
-    return local(text.worded(spoken()) if isinstance(text, Message) else translate(text, spoken()))
+    if isinstance(text, Message):
+        return localised(text.worded(spoken()), spoken(), text.as_written())
+    return local(translate(text, spoken()))

@@ -11,6 +11,7 @@ from tumble.app.running import Job
 from tumble.app.stand import LoadedStand
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
+from tumble.window.look.sentences import unit_text
 from tumble.window.screens.run_course import RunCourse, was_stopped
 from tumble.window.work.activity import Activity, Calibration, Concluded, Resumption
 from tumble.window.work.queue_file import QueueFile
@@ -39,7 +40,7 @@ class QueueRunner(QObject):
     changed = Signal()
     """An entry, or whether the queue goes on."""
     unit_wanted = Signal(str)
-    """Serial number of the unit to be put on the stand before its run begins; empty where none is wanted any more."""
+    """Which unit is to be put on the stand before its run begins, as text; empty where none is wanted any more."""
     refused = Signal(object)
     """An exception that the person must see."""
 
@@ -162,7 +163,7 @@ class QueueRunner(QObject):
         if self._seated not in ("", entry.serial_number) and not asks_first(plan):
             self._wanted = entry.id
             self._change(entry.id, lambda each: each.at(Stage.MOUNTING))
-            self.unit_wanted.emit(entry.serial_number)
+            self.unit_wanted.emit(unit_text(entry.serial_number, entry.lot))
         else:
             self._begin(entry, job)
 

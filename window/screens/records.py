@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from tumble.app.discarding import FOLDER
+from tumble.calibrations.records.findings import words_of
 from tumble.calibrations.records.record import Record
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
@@ -31,7 +32,6 @@ from tumble.window.work import records as store
 from tumble.window.work.activity import Resumption
 from tumble.window.work.background import Background
 from tumble.window.work.newest import Newest
-from tumble.window.work.record_words import finding_words
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.verify import Verification
@@ -165,7 +165,7 @@ class RecordsScreen(QWidget):
         self.search.programme.offer(around.programmes)
         self.search.stand.offer(around.stand_names)
         self.search.method.offer(around.methods, around.titles)
-        self.search.finding.offer(around.findings, finding_words(around.findings))
+        self.search.finding.offer(around.findings, {name: words_of(name) for name in around.findings})
         self.cut_off.show_runs(around.cut_off, around.titles)
         self.found_cut_off.emit(around.cut_off)
         self.stands.show_records(around.stands)

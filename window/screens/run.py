@@ -106,11 +106,7 @@ class RunScreen(QWidget):
     def begin(self, activity: Activity, points: tuple[Point, ...] = ()) -> bool:
         """Begin a run, whichever it is, unless the stand is at work; returns whether it was begun."""
         self._adding = False
-        if not self._begin(activity, points):
-            return False
-        self.form.serial.setText(activity.job.serial_number)
-        self.form.lot.setText(activity.job.lot)
-        return True
+        return self._begin(activity, points)
 
     def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  # Qt's name
         """Be ready for the scanner."""
@@ -244,12 +240,12 @@ class RunScreen(QWidget):
             self.view.ask_nothing()
             self._operator.answer(CONFIRMED)
 
-    def _ask_unit(self, serial_number: str) -> None:
-        if serial_number:
-            self.view.ask_unit(serial_number)
+    def _ask_unit(self, unit: str) -> None:
+        if unit:
+            self.view.ask_unit(unit)
         else:
             self.view.ask_nothing()
-        self.course.await_unit(bool(serial_number))
+        self.course.await_unit(bool(unit))
 
     def _prepare(self, stage: str) -> None:
         if stage == PREPARING:

@@ -21,7 +21,7 @@ from tumble.procedures.programme import Programme
 from tumble.procedures.steps import Ask, Dwell, Point, Step
 from tumble.window.look.language import tr
 from tumble.window.look.plots import Plot
-from tumble.window.look.sentences import sentence_of
+from tumble.window.look.sentences import sentence_of, unit_text
 from tumble.window.registry import window_part
 from tumble.window.widgets.dials import Dials
 from tumble.window.widgets.prompts import ReadingPrompt, UnitPrompt
@@ -71,7 +71,7 @@ class RunView(QWidget):
         programme = job.programme
         self._take_parts_of(programme)
         for page in (self.prompt, self.reading):
-            page.show_unit(job.serial_number)
+            page.show_unit(unit_text(job.serial_number, job.lot))
         self.points = list(points)
         self._dwells = [planned.step for planned in plan.steps if isinstance(planned.step, Dwell)]
         self.overview.show_plan(self._dwells, points)
@@ -126,9 +126,9 @@ class RunView(QWidget):
         self._show_page(self.reading)
         self.reading.ask(setting_deg, prompt)
 
-    def ask_unit(self, serial_number: str) -> None:
-        """Ask for a unit."""
-        self.unit.ask(serial_number)
+    def ask_unit(self, unit: str) -> None:
+        """Ask for a unit, by the text that says which it is."""
+        self.unit.ask(unit)
         self._show_page(self.unit)
 
     def ask_nothing(self) -> None:

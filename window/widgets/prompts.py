@@ -105,12 +105,10 @@ class UnitPrompt(WaitingPage):
         self.confirm.clicked.connect(self.confirmed)
         self.column.addWidget(self.confirm)
 
-    def ask(self, serial_number: str) -> None:
-        """Ask for a unit."""
-        self.show_unit(serial_number)
-        self.say(
-            tr("Take the unit off the stand, and put {unit} in its place. It is measured at once.", unit=serial_number)
-        )
+    def ask(self, unit: str) -> None:
+        """Ask for a unit, by the text that says which it is."""
+        self.show_unit(unit)
+        self.say(tr("Take the unit off the stand, and put {unit} in its place. It is measured at once.", unit=unit))
 
 
 class ReadingPrompt(WaitingPage):

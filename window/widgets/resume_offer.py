@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout, QWidget
 
-from tumble.messages import Message
+from tumble.messages import AsWritten, Message
 from tumble.window.look.language import tr
 from tumble.window.look.moments import moment_text
 from tumble.window.look.plain import PlainLabel
@@ -83,10 +83,10 @@ class ResumeOffer(QFrame):
                     "{when}: {why}.",
                     "Stopped: unit {unit}, programme {programme}, {count} points done at the stand {stand}, begun "
                     "{when}: {why}.",
-                    unit=run.serial_number,
-                    programme=run.programme_name,
+                    unit=AsWritten(run.serial_number),
+                    programme=AsWritten(run.programme_name),
                     count=run.points,
-                    stand=run.stand_name,
+                    stand=AsWritten(run.stand_name),
                     when=moment_text(run.began_at),
                     why=in_language(run.ending) or tr("it broke off"),
                 )

@@ -7,9 +7,9 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QPushButton, QWidget
 
+from tumble.app.names import given_name
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand, load_stand
-from tumble.drivers.text import LONGEST_NAME
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import Programme
 from tumble.procedures.programmes import about_programme, load_programme, shipped_programmes
@@ -18,13 +18,14 @@ from tumble.window.look.plain import PlainLabel, as_tooltip
 from tumble.window.look.sentences import in_language, plan_text
 from tumble.window.widgets.dialog import FileDialog
 from tumble.window.widgets.programme_box import ProgrammeBox
+from tumble.window.widgets.scan_field import ScanField
 from tumble.window.work.background import Background
 
 
 class RunForm(QWidget):
     """Serial number and lot, typed or scanned; programme; operator.
 
-    A scanner types and sends Enter, which selects the serial number. Nothing here starts anything.
+    A scanner types and sends Enter, which goes to the serial number and selects it. Nothing here starts anything.
     """
 
     changed = Signal()
@@ -36,12 +37,11 @@ class RunForm(QWidget):
     def __init__(self, stand: Callable[[], LoadedStand], background: Background, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._stand = stand
-        self.serial, self.lot, self.operator = QLineEdit(), QLineEdit(), QLineEdit()
+        self.serial, self.lot, self.operator = ScanField(), ScanField(), QLineEdit()
         self.programme = ProgrammeBox(self._takes, _about, background)
-        self.serial.setMaxLength(LONGEST_NAME)
         self.serial.setPlaceholderText(tr("type or scan"))
-        self.lot.setMaxLength(LONGEST_NAME)
-        self.serial.returnPressed.connect(self.await_scan)
+        for field in (self.serial, self.lot):
+            field.returnPressed.connect(self.await_scan)
         for name in sorted(shipped_programmes(), key=_is_probe):
             self.programme.addItem(name, name)
         self.add_programme(str(QSettings().value("run/programme", "seed")))
@@ -97,9 +97,9 @@ class RunForm(QWidget):
         job = Job(
             stand=self._stand(),
             programme=load_programme(self.chosen),
-            serial_number=serial_number,
-            lot=self.lot.text().strip(),
-            operator=self.operator.text().strip(),
+            serial_number=given_name(serial_number, tr("serial number")),
+            lot=given_name(self.lot.text(), tr("lot")),
+            operator=given_name(self.operator.text(), tr("operator")),
         )
         job.plan()
         return job

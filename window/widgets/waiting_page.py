@@ -54,9 +54,9 @@ class WaitingPage(QFrame):
             across.addWidget(_on_paper(picture), stretch=1)
         across.addLayout(self.column, stretch=2)
 
-    def show_unit(self, serial_number: str) -> None:
-        """Say which unit it is."""
-        _say(self.unit, serial_number)
+    def show_unit(self, unit: str) -> None:
+        """Say which unit it is, see `sentences.unit_text`."""
+        _say(self.unit, unit)
 
     def say(self, words: str) -> None:
         """Say what there is to do."""

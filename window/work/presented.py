@@ -60,7 +60,7 @@ def presented(present: Callable[[Concluded], Presentation], concluded: Concluded
         )
         for line in shown.table
     ]
-    return replace(shown, table=lines)
+    return replace(shown, table=lines, notices=(*shown.notices, *_doubts(folder, record)))
 
 
 def _words(method: str) -> dict[str, str]:
@@ -93,6 +93,13 @@ def _changes(folder: Path, record: "Record | None") -> dict[str, tuple[str, str]
 
     changes = changes_since(folder, record) if record else {}
     return {name: (change.text, day_since(change, spoken())) for name, change in changes.items()}
+
+
+def _doubts(folder: Path, record: "Record | None") -> tuple[str, ...]:
+    """What earlier records of the unit say otherwise of it."""
+    from tumble.app.last_calibration import other_lots
+
+    return other_lots(folder, record) if record else ()
 
 
 def _declared(record: "Record | None") -> dict[str, str]:

@@ -1,16 +1,13 @@
 """What a list says of a record beside its values: effects, and the stand."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Final
 
-from tumble.calibrations.records.findings import UNNAMED, effects_of, is_unexplained
+from tumble.calibrations.records.findings import UNNAMED, effects_of, is_unexplained, words_of
 from tumble.calibrations.records.record import Record
 from tumble.drivers.driver import SIMULATED
 from tumble.messages import Message, with_wording
-
-_UNNAMED: Final = Message("structure without a name")
 
 
 class StandState(StrEnum):
@@ -41,12 +38,7 @@ class Findings:
         """The same in words."""
         if not self.count:
             return (Message("no effect was found"),)
-        return (*self.effects, *([_UNNAMED] if self.unnamed else []))
-
-
-def finding_words(names: Iterable[str]) -> dict[str, str]:
-    """What is called so in the search of a store."""
-    return {name: _UNNAMED if name == UNNAMED else with_wording(name) for name in names}
+        return (*self.effects, *([words_of(UNNAMED)] if self.unnamed else []))
 
 
 def findings_in(record: Record) -> Findings:

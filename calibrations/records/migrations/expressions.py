@@ -3,7 +3,6 @@
 The view through which an old store is read and the migration use the same expressions.
 """
 
-import json
 import sqlite3
 from collections.abc import Callable
 from dataclasses import asdict
@@ -53,8 +52,8 @@ def _outcome(word: str) -> str:
 
 
 def _verdict(result: str, limits: str) -> str:
-    checks = [LimitCheck(**check) for check in json.loads(limits)]
-    return canonical_text(verdict_of(json.loads(result), checks).as_json())
+    checks = [LimitCheck(**check) for check in read_json(limits)]
+    return canonical_text(verdict_of(read_json(result), checks).as_json())
 
 
 def _findings(result: str) -> str:
