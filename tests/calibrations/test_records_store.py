@@ -332,11 +332,3 @@ def test_the_newest_are_found_by_what_was_found_in_them(store, finding, units):
     store.add(with_effects(), provenance(serial_number="none"))
     assert [each.provenance.serial_number for each in store.newest(Wanted(finding=finding), 10)] == units
     assert store.findings() == ("hysteresis", "k_xx", UNNAMED)
-
-
-@pytest.mark.parametrize("other", [{"effects": 3}, {"effects": ["k_xx"]}, {"effects": "k_xx"}, {"loop": None}])
-def test_what_a_method_means_otherwise_by_effects_is_none(store, other):
-    recorded = entry(calibration())
-    store.add(replace(recorded, result={**recorded.result, **other}), provenance())
-    assert len(store.newest(Wanted(finding=""), 10)) == 1
-    assert store.findings() == ()
