@@ -99,6 +99,10 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         self.name_axes(bottom, left)
         self._recolour()
 
+    def close(self) -> bool:
+        """Hide it. pyqtgraph would take it apart, and what is left of it crashes where the size of text changes."""
+        return bool(QWidget.close(self))
+
     def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
         """Small: plots share what room there is."""
         return QSize(300, 140)
