@@ -131,6 +131,7 @@ def test_every_thread_and_timer_is_known_here():
         ("screens/run_view.py", "QTimer"),
         ("widgets/notice.py", "QTimer"),
         ("widgets/waiting_page.py", "QTimer"),
+        ("widgets/scan_field.py", "QTimer"),
         ("widgets/table.py", "QTimer"),
         ("plots/crosshair.py", "QTimer"),
         ("start.py", "QTimer"),
