@@ -15,10 +15,11 @@ _CODE = """
 import gc
 import sys
 from pathlib import Path
-from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtCore import QSettings
 from tumble.window.libraries import obstacle
 assert not obstacle(), obstacle()
 gc.disable()
+from tumble.window.painted import FirstPaint
 from tumble.window.start import Application, application
 QSettings.setDefaultFormat(QSettings.Format.IniFormat)
 QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, sys.argv[1])
@@ -27,7 +28,7 @@ running = Application(qt, Path(sys.argv[1]) / "store")
 def up():
     print("up", flush=True)
     running.window.leave()
-QTimer.singleShot(0, lambda: QTimer.singleShot(0, up))
+FirstPaint(running.window.windowHandle(), running.window).painted.connect(up)
 qt.exec()
 """
 

@@ -1,6 +1,9 @@
 """The programmes that come along, and those in files of one's own: read from TOML, each by the schema of its method."""
 
 import re
+import sys
+from collections.abc import Mapping
+from functools import lru_cache
 from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Final
@@ -111,8 +114,14 @@ def _schema(text: str, source: str) -> type[Programme]:
         raise InputError(Message("{where}: method: {error}; correct it", where=where, error=error)) from error
 
 
-def _shipped() -> dict[str, Traversable]:
+def _shipped() -> Mapping[str, Traversable]:
     """The programmes that come along, by name."""
+    return _found_on(tuple(sys.path))
+
+
+@lru_cache(maxsize=8)
+def _found_on(_: tuple[str, ...]) -> Mapping[str, Traversable]:
+    """The same, looked up once for each place where packages lie: a list of programmes asks for each of its lines."""
     programmes: dict[str, Traversable] = {}
     for method in usable_methods():
         entries = method.procedure_part.shipped.iterdir()

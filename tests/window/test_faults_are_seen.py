@@ -134,5 +134,6 @@ def test_every_thread_and_timer_is_known_here():
         ("widgets/scan_field.py", "QTimer"),
         ("widgets/table.py", "QTimer"),
         ("plots/crosshair.py", "QTimer"),
+        ("painted.py", "QTimer"),
         ("start.py", "QTimer"),
     }

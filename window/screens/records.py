@@ -92,7 +92,6 @@ class RecordsScreen(QWidget):
         self._rest.timeout.connect(self._draw_trend)
         self.shown.connect(self._rest.start)
         self._refresh_buttons()
-        self.refresh()
 
     def refresh(self) -> None:
         """Look again, for records and for everything else that is shown."""
