@@ -2,12 +2,16 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Final
 
 from PySide6.QtWidgets import QWidget
 
 from tumble.procedures.steps import Dwell, Point
 from tumble.window.look.plots import Plot
 from tumble.window.work.presentation import Presentation
+
+_TIMES_FITTED: Final = 2
+"""Marks say how large they are once the axes are fitted, and an axis that follows another one may come before it."""
 
 
 class Overview(QWidget):
@@ -46,6 +50,9 @@ class Figures(QWidget):
         """Show a run that begins, or goes on after some points."""
         raise NotImplementedError
 
+    def expect(self, dwells: Sequence[Dwell]) -> None:
+        """Make room for what a run is going to measure; called before `begin`, and may do nothing."""
+
     def add(self, point: Point) -> None:
         """Show a further point."""
         raise NotImplementedError
@@ -64,7 +71,7 @@ class Figures(QWidget):
         draw = next(iter(self._stale))
         del self._stale[draw]
         draw()
-        for plot in self.findChildren(Plot):
+        for plot in _TIMES_FITTED * self.findChildren(Plot):
             plot.fit_axes()
         return True
 

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QFontMetricsF
 
-from tumble.procedures.methods.dividing_head.layout import LAYOUT
+from tumble.procedures.methods.dividing_head.layout import LAYOUT, dwell_at
+from tumble.procedures.methods.dividing_head.rows import Row
 from tumble.window.look.plots import LocalAxis
 from tumble.window.methods.dividing_head.figures import HeadFigures
 from tumble.window.methods.dividing_head.run_plots import OutputPlot
@@ -57,3 +58,44 @@ def test_where_there_is_little_room_the_residual_has_as_much_of_it_as_the_output
     figures.resize(700, 300)
     figures.show()
     assert figures.residual.height() == pytest.approx(figures.output.height(), abs=1)
+
+
+@pytest.fixture
+def expecting(qtbot):
+    """Figures of a run from 0 to 400°, of which nothing is measured yet."""
+    figures = HeadFigures(LAYOUT, Background())
+    qtbot.addWidget(figures)
+    ends = [
+        dwell_at(angle_deg=angle_deg, procedure="sweep", realisation=1, mount="face-up") for angle_deg in (0.0, 400.0)
+    ]
+    figures.expect(ends)
+    figures.begin([])
+    while figures.draw_next():
+        pass
+    return figures
+
+
+def test_the_axis_of_the_head_angle_holds_the_whole_programme_from_the_start(expecting):
+    (lowest_deg, highest_deg), _ = expecting.residual.getViewBox().viewRange()
+    assert lowest_deg <= 0.0 and highest_deg >= 400.0
+
+
+def test_a_further_point_moves_no_axis_of_the_head_angle(expecting):
+    take(expecting, 0.0)
+    moved = []
+    for plot in (expecting.output, expecting.residual):
+        plot.getViewBox().sigXRangeChanged.connect(lambda *_: moved.append(1))
+    take(expecting, 5.0)
+    assert not moved
+
+
+def take(figures, angle_deg):
+    """Have a point at a head angle drawn."""
+    figures.add(
+        Row(
+            index=0, angle_deg=angle_deg, voltage_v=2.5, voltage_sd_v=1e-3, samples=50, time_s=1.0, direction=1,
+            temperature_degc=23.0, realisation=1, procedure="sweep", mount="face-up", settled=True,
+        ).point
+    )  # fmt: skip
+    while figures.draw_next():
+        pass

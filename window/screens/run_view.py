@@ -76,6 +76,7 @@ class RunView(QWidget):
         self._dwells = [planned.step for planned in plan.steps if isinstance(planned.step, Dwell)]
         self.overview.show_plan(self._dwells, points)
         self.steps.show_steps(plan.steps, len(points))
+        self.figures.expect(self._dwells)
         self.figures.begin(points)
         self._step, self._block, self._repeating = None, None, False
         self._drawn = -1

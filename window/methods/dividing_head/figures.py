@@ -7,8 +7,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QVBoxLayout
 
 from tumble.procedures.layout import Layout
+from tumble.procedures.methods.dividing_head.layout import HEAD
 from tumble.procedures.methods.dividing_head.rows import Row, row_of
-from tumble.procedures.steps import Point
+from tumble.procedures.steps import Dwell, Point
 from tumble.window.methods.dividing_head.live_fit import LiveFit, fit_live
 from tumble.window.methods.dividing_head.run_plots import OutputPlot, ResidualPlot
 from tumble.window.parts import Figures
@@ -30,6 +31,10 @@ class HeadFigures(Figures):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(Splitter(Qt.Orientation.Vertical, (self.output, self.residual), (1, 1)))
+
+    def expect(self, dwells: Sequence[Dwell]) -> None:
+        """Have the axes of head angle as long as the programme from the start, so that they stand still."""
+        self.output.expect_angles([dwell.targets_deg[HEAD] for dwell in dwells])
 
     def begin(self, points: Sequence[Point]) -> None:
         """Show a run that begins, or goes on after some points."""

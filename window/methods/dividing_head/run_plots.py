@@ -52,7 +52,13 @@ class OutputPlot(AnglePlot):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(left=tr("output (V)"), parent=parent)
         self._curves: dict[str, pg.PlotDataItem] = {}
+        self._expected = pg.PlotCurveItem()  # it is not seen, and only has a place
+        self.addItem(self._expected)
         self.recoloured.connect(self._recolour_curves)
+
+    def expect_angles(self, angles_deg: Sequence[float]) -> None:
+        """Have an axis that holds all of these head angles, whatever is drawn."""
+        self._expected.setData(np.array(angles_deg), np.full(len(angles_deg), np.nan))
 
     def draw_curves(self, curves: Mapping[str, tuple[FloatArray, FloatArray]]) -> None:
         """Draw head angle and model output by mount."""
