@@ -114,8 +114,9 @@ class Watch:
                 raise SystemExit(f"the table does not show what was looked for: {self._screen.said.text()}")
 
     def rest(self) -> None:
-        """Wait until the trend is drawn, too."""
+        """Wait until the trend is drawn, too, and painted: that is no part of the search that comes next."""
         self.wait(lambda: self._screen.trend.records is self._screen.records)
+        self._application.processEvents()
 
     def _count(self) -> None:
         self._shown += 1

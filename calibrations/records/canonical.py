@@ -12,7 +12,9 @@ import orjson
 
 from tumble.messages import Message
 
-_LONG_NUMBER: Final = re.compile(r"\d{19}")
+_MANY_DIGITS: Final = re.compile(r"\d{19}")
+_LONG_INTEGER: Final = re.compile(r"(?:^|[\s:,\[-])\d{19}")
+"""Digits in front of a point, if there is one. They take longer to look for than digits that stand anywhere."""
 
 
 def plain(content: Mapping[str, Any]) -> dict[str, Any]:
@@ -58,7 +60,7 @@ def read_json(text: str) -> Any:  # noqa: ANN401  # whatever a document holds
     Of integers beyond 64 bits orjson makes floats, and it refuses lone surrogates and what is no JSON at all.
     Raises `json.JSONDecodeError`.
     """
-    if _LONG_NUMBER.search(text):
+    if _MANY_DIGITS.search(text) and _LONG_INTEGER.search(text):
         return _by_standard(text)
     try:
         return orjson.loads(text)

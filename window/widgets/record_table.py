@@ -1,7 +1,7 @@
 """The records that were found, a row for each, with signs for verdict, effects and stand."""
 
-from collections.abc import Collection, Sequence
-from typing import Final
+from collections.abc import Collection, Mapping, Sequence
+from typing import Final, TypeAlias
 
 from PySide6.QtCore import QEvent, QItemSelectionModel, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QIcon
@@ -19,6 +19,8 @@ from tumble.window.widgets.table import Ink
 from tumble.window.work.record_lines import RecordLine
 from tumble.window.work.record_words import StandState
 
+_Signs: TypeAlias = Mapping[int, tuple[Sign, str]]
+"""The sign of a cell and what it says, by column."""
 _MEASURED, _VERDICT, _EFFECTS, _STAND = 2, 3, 5, 6
 """Columns."""
 _STAND_SIGNS: Final = {
@@ -47,6 +49,8 @@ class RecordTable(SortableTable):
         )
         super().__init__(headings, newest=_MEASURED, parent=parent)
         self._lines: Sequence[RecordLine] = ()
+        self._signs: Sequence[_Signs] = ()
+        """Of every line."""
         self.setWordWrap(False)
         self._size_signs()
 
@@ -55,7 +59,7 @@ class RecordTable(SortableTable):
         chosen = {record.id for record in self.chosen_records}
         with QSignalBlocker(self):  # nobody asks what is chosen while rows and records differ
             self.clearSelection()
-            self._lines = lines
+            self._lines, self._signs = lines, [_signs(line) for line in lines]
             self.fill([line.cells for line in lines])
             self._choose(chosen)
         if chosen:
@@ -80,7 +84,7 @@ class RecordTable(SortableTable):
         """Put texts and signs into the cells."""
         super().write(rows, inks)
         for row in range(self.rowCount()):
-            for column, (_, said) in _signs(self._lines[self.number(row)]).items():
+            for column, (_, said) in self._signs[self.number(row)].items():
                 item = self.cell(row, column)
                 item.setToolTip(as_tooltip(said))
                 item.setData(Qt.ItemDataRole.AccessibleTextRole, said)
@@ -103,14 +107,13 @@ class RecordTable(SortableTable):
     def _sign(self) -> None:
         icons: dict[Sign, QIcon] = {}
         for row in range(self.rowCount()):
-            for column, (sign, _) in _signs(self._lines[self.number(row)]).items():
+            for column, (sign, _) in self._signs[self.number(row)].items():
                 if sign not in icons:
                     icons[sign] = sign_icon(sign, colours(self))
                 self.cell(row, column).setIcon(icons[sign])
 
 
-def _signs(line: RecordLine) -> dict[int, tuple[Sign, str]]:
-    """The sign of a cell and what it says, by column."""
+def _signs(line: RecordLine) -> _Signs:
     findings, outcome = line.findings, line.record.verdict.outcome
     found = EFFECT if findings.effects else UNNAMED if findings.unnamed else DASH
     return {

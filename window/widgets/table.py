@@ -84,7 +84,8 @@ class Table(QTableWidget):
             for column, text in enumerate(row):
                 item = self.item_made(text, number, column)
                 item.setToolTip(as_tooltip(text))
-                item.setData(_INK, ink)
+                if ink is not None:
+                    item.setData(_INK, ink)
                 self.setItem(number, column, item)
 
     def colour(self) -> None:
