@@ -3,7 +3,6 @@
 from typing import Final
 
 from tumble.calibrations.core.verdict import Outcome
-from tumble.messages import translatable
 from tumble.window.look.language import tr
 from tumble.window.look.signs import CROSS, DASH, QUESTION, TICK
 
@@ -13,25 +12,29 @@ VERDICT_SIGNS: Final = {
     Outcome.NOT_DECIDED: QUESTION,
     Outcome.NO_LIMITS: DASH,
 }
-_WORDS: Final = {
-    Outcome.PASS: translatable("inside"),
-    Outcome.FAIL: translatable("outside"),
-    Outcome.NOT_DECIDED: translatable("not decided"),
-    Outcome.NO_LIMITS: translatable("not judged"),
-}
-_MARKS: Final = {
-    Outcome.PASS: translatable("✓ inside"),
-    Outcome.FAIL: translatable("✗ outside"),
-    Outcome.NOT_DECIDED: translatable("? not decided"),
-    Outcome.NO_LIMITS: translatable("not judged"),
-}
 
 
 def verdict_words(outcome: Outcome) -> str:
     """How a unit stands against the limits of its programme, where a sign is beside."""
-    return tr(_WORDS[outcome])
+    match outcome:
+        case Outcome.PASS:
+            return tr("inside")
+        case Outcome.FAIL:
+            return tr("outside")
+        case Outcome.NOT_DECIDED:
+            return tr("not decided")
+        case Outcome.NO_LIMITS:
+            return tr("not judged")
 
 
 def verdict_mark(outcome: Outcome) -> str:
     """The same where there is none."""
-    return tr(_MARKS[outcome])
+    match outcome:
+        case Outcome.PASS:
+            return tr("✓ inside")
+        case Outcome.FAIL:
+            return tr("✗ outside")
+        case Outcome.NOT_DECIDED:
+            return tr("? not decided")
+        case Outcome.NO_LIMITS:
+            return tr("not judged")
