@@ -20,6 +20,7 @@ from tumble.calibrations.records.export import document
 from tumble.calibrations.records.findings import names_found, words_of
 from tumble.calibrations.records.old_formats import OLD_WORDS, outcome_of
 from tumble.calibrations.records.record import Record
+from tumble.calibrations.records.unlike import unlike
 from tumble.messages import AsWritten, Message
 
 
@@ -119,8 +120,23 @@ def _origin(record: Record) -> Iterator[str]:
 def compare_records(first: str, second: str, folder: Path) -> None:
     """Compare two records: the difference of every parameter and whether it is significant (5% for all together)."""
     store = open_store(folder)
-    for difference in compare(store.get(first), store.get(second)):
-        say(difference.sentence)
+    before, after = store.get(first), store.get(second)
+    differences = compare(before, after)
+    for label, record in ((Message("first"), before), (Message("second"), after)):
+        say(labelled(label, _called(record)))
+    for line in (*unlike(before, after), *(each.sentence for each in differences)):
+        say(line)
+
+
+def _called(record: Record) -> Message:
+    """A record by its unit, when it was measured, and its id."""
+    origin = record.provenance
+    return Message(
+        "{unit}, {measured}, record {id}",
+        unit=AsWritten(origin.serial_number),
+        measured=origin.measured_at,
+        id=AsWritten(record.id),
+    )
 
 
 @command.command("export")

@@ -103,7 +103,10 @@ def test_a_comparison_says_what_changed_significantly(copied, write, tmp_path):
 
     lines = tumble("records", "compare", copied.document["record"], second, "--store", copied.store).out.splitlines()
 
-    sentences = {line.split()[0]: line for line in lines}
+    assert [line.split()[0] for line in lines[:2]] == ["first", "second"]
+    assert lines[1].endswith(f"record {second}")
+    assert "Only one of them names a lot: L 26/3." in lines
+    sentences = {line.split()[0]: line for line in lines if " changed by " in line}
     assert set(sentences) == {"u0", "kx", "ky", "kz", "kxy", "alpha0"}
     change, unit = sentences["kx"].removeprefix("kx changed by ").split(",")[0].split()
     assert (float(change), unit) == (pytest.approx(100.0, abs=0.3), "mV/g")

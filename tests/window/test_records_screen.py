@@ -99,6 +99,7 @@ def test_two_records_are_compared(measured):
     records.table.selectAll()
     records.compare_button.click()
     measured.wait(lambda: records.tabs.currentWidget() is records.comparison)
+    assert "They are of two units: A-1, B-2." in records.said.text()
     texts = records.comparison.texts()[0]
     assert (texts[0], texts[6][:15]) == ("u0", "Not significant")
     assert [records.comparison.horizontalHeaderItem(column).text()[:5] for column in (1, 2)] == ["● A-1", "■ B-2"]

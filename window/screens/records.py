@@ -211,7 +211,7 @@ class RecordsScreen(QWidget):
         self._start(partial(store.comparison, first, second), self._show_comparison)
 
     def _show_comparison(self, found: "Comparison") -> None:
-        self.said.clear()
+        self.said.setText(" ".join(found.unlike))
         self.comparison.show_comparison(found)
         if self.tabs.indexOf(self.comparison) < 0:
             self.tabs.insertTab(1, self.comparison, tr("Comparison"))

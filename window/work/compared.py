@@ -39,4 +39,6 @@ class Comparison:
     first: str
     """Unit and moment."""
     second: str
+    unlike: Sequence[str]
+    """What else is not the same in both, a sentence each."""
     lines: Sequence[ComparedLine]

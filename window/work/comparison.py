@@ -6,6 +6,7 @@ from tumble.calibrations.core.quantities import format_quantity
 from tumble.calibrations.records.compare import Difference, compare
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
+from tumble.calibrations.records.unlike import unlike
 from tumble.window.look.moments import written_moment_text
 from tumble.window.look.numbers import local
 from tumble.window.look.sentences import in_language
@@ -19,7 +20,12 @@ def comparison(first: Record, second: Record) -> Comparison:
     lines = [_line(each, first.values.get(each.name), second.values.get(each.name)) for each in compare(first, second)]
     ways: tuple[Callable[[Record], str], ...] = (_moment_text, programme_text, lambda each: each.id)
     beside = next(way for way in ways if way(first) != way(second) or way is ways[-1])
-    return Comparison(first=_called(first, beside(first)), second=_called(second, beside(second)), lines=lines)
+    return Comparison(
+        first=_called(first, beside(first)),
+        second=_called(second, beside(second)),
+        unlike=tuple(map(in_language, unlike(first, second))),
+        lines=lines,
+    )
 
 
 def _moment_text(record: Record) -> str:
