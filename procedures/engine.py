@@ -31,7 +31,7 @@ from tumble.procedures.journeys import POLL_S
 from tumble.procedures.losses import Losses
 from tumble.procedures.measuring import Measuring
 from tumble.procedures.operator import Operator
-from tumble.procedures.outcome import Outcome
+from tumble.procedures.outcome import Outcome, either
 from tumble.procedures.phase import Phase
 from tumble.procedures.recovery import Recovery
 from tumble.procedures.replay import replay
@@ -126,7 +126,7 @@ class Engine:
             recovery=self._recovery,
             announcer=self._announcer,
             phase=self._phase,
-            moving=" or ".join(map(stand.title, (*stand.positioners, *stand.exciters))),
+            moving=either(map(stand.title, (*stand.positioners, *stand.exciters))),
         )
         self._taking = Taking(
             self._measuring,

@@ -11,7 +11,7 @@ from tumble.messages import Language, Message
 from tumble.procedures import errors as of_procedures
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("app", "procedures", "drivers", "emulators")
+FOLDERS = ("app", "procedures", "drivers", "emulators", "calibrations", "window")
 FAULTS_OF_THE_PROGRAM = {
     "AssertionError",
     "AttributeError",

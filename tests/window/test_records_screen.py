@@ -215,7 +215,7 @@ def test_a_file_name_without_a_format_is_told(measured, tmp_path):
     records.table.selectRow(0)
     records.export_to(tmp_path / "out.docx")
     measured.wait(lambda: bool(measured.complaints))
-    assert ".docx is no format; end it in .json, .html, .csv or .pdf" in measured.complaints[0]
+    assert ".docx is no format of a record; end it in .json, .html, .csv or .pdf" in measured.complaints[0]
 
 
 def test_a_trend_is_drawn_over_units_and_over_time(measured):

@@ -233,8 +233,9 @@ def _entries(document: dict[str, Any]) -> list[Entry]:
     if document["schema"] not in _READ:
         raise ValueError(document["schema"])
     entries = [Entry.from_json(kept) for kept in document["entries"]]
-    if len({entry.id for entry in entries}) < len(entries):
-        raise ValueError("two entries have one id")
+    ids = [entry.id for entry in entries]
+    if len(set(ids)) < len(ids):
+        raise ValueError(ids)
     return entries
 
 

@@ -9,12 +9,13 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from tumble.app.exits import Exit, JobError
 from tumble.app.files import check_result, replacing, write_text
 from tumble.app.kinds import Kind
 from tumble.app.running import Job
 from tumble.calibrations.records.record import Record
 from tumble.calibrations.records.wanted import Wanted
+from tumble.messages import Message
+from tumble.procedures.errors import InputError
 from tumble.window.look.language import spoken
 from tumble.window.work import tables
 from tumble.window.work.activity import Concluded, Resumption
@@ -220,7 +221,10 @@ def resumption(folder: Path, path: Path) -> Resumption:
 
 
 def export(folder: Path, record_id: str, path: Path) -> Path:
-    """Write a record in the format that the name of the file ends in: JSON, HTML, CSV or PDF. Raises `JobError`."""
+    """Write a record in the format that the name of the file ends in: JSON, HTML, CSV or PDF.
+
+    Raises `InputError` for another ending, `JobError` where the file cannot be written.
+    """
     from tumble.app.opening import open_store
     from tumble.app.reporting import report_again
     from tumble.calibrations.records.export import document_text
@@ -233,8 +237,12 @@ def export(folder: Path, record_id: str, path: Path) -> Path:
         case ".csv":
             _write_rows(folder, record_id, path)
         case suffix:
-            raise JobError(
-                f"{path}: {suffix or 'no ending'} is no format; end it in .json, .html, .csv or .pdf", Exit.BAD_INPUT
+            raise InputError(
+                Message(
+                    "{path}: {ending} is no format of a record; end it in .json, .html, .csv or .pdf",
+                    path=path,
+                    ending=suffix or Message("no ending"),
+                )
             )
     return path
 

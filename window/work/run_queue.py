@@ -108,9 +108,9 @@ class Entry:
             entry.record_id,
         )
         if not all(isinstance(text, str) for text in (*texts, entry.said, entry.owner)):
-            raise TypeError("a text is none")
+            raise TypeError(texts)
         if not all(isinstance(number, int) for number in (entry.repeat, entry.repeats)):
-            raise TypeError("a number is none")
+            raise TypeError(entry)
         return entry
 
 

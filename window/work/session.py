@@ -29,6 +29,7 @@ from tumble.procedures.errors import InputError, StopRequestedError
 from tumble.procedures.interlock import Interlock
 from tumble.procedures.losses import Losses
 from tumble.procedures.motion import Motion, standstill
+from tumble.procedures.outcome import either
 from tumble.window.look.language import tr
 from tumble.window.look.names import AIR
 
@@ -243,9 +244,9 @@ class StandSession:
             with suppress(Exception):  # `standstill` says it again, over a link that it opens anew
                 motion.brake()
         if not standstill(motions, stand.clock):
-            remedy = "switch it off and look at it before you touch it"
-            titles = " or ".join(motion.title for motion in motions)
-            raise DeviceError(titles, "its standstill could not be read back", remedy)
+            titles = either(motion.title for motion in motions)
+            remedy = Message("switch it off and look at it before you touch it")
+            raise DeviceError(titles, Message("its standstill could not be read back"), remedy)
 
 
 def _climate(status: EnvironmentStatus) -> Block:

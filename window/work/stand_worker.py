@@ -303,7 +303,7 @@ class StandWorker(QObject):
     def _give_way(self) -> None:
         """Look no longer where an order waits."""
         if self._thread.is_wanted:
-            raise StopRequestedError("an order waits")
+            raise StopRequestedError
 
 
 def _unless_stopped(action: Action, control: Control) -> None:

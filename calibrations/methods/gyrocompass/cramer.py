@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.messages import Message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,7 +49,7 @@ def three_positions(
     d1, d2 = (b[..., i] - b[..., i + 1] for i in (0, 1))
     determinant = c1 * d2 - c2 * d1
     if np.any(determinant == 0.0):
-        raise ValueError("three positions that differ are needed")
+        raise ValueError(Message("three positions that differ are needed"))
     sine, cosine = (f1 * d2 - f2 * d1) / determinant, (c1 * f2 - c2 * f1) / determinant
     drift = np.mean(rate_deg_h - a * sine[..., None] - b * cosine[..., None], axis=-1)
     return ThreePositions(
