@@ -1,7 +1,7 @@
 """A result with its figures, drawn where that keeps nobody waiting."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from tumble.calibrations.core.view import Section
 from tumble.window.generic.presenting import SectionPresentation
@@ -27,7 +27,9 @@ def figures_of(presentation: Presentation) -> Sequence[Drawn]:
 def present(concluded: Concluded) -> DrawnPresentation:
     """Work out what there is to show."""
     plain = present_sections(concluded)
-    return DrawnPresentation(**vars(plain), figures=drawn_of(plain.sections))
+    answers = drawn_of(section for section in plain.sections if section.brief)
+    figures = drawn_of(plain.sections)
+    return DrawnPresentation(**vars(replace(plain, picture=next(iter(answers or figures), None))), figures=figures)
 
 
 def drawn_of(sections: Iterable[Section]) -> tuple[Drawn, ...]:

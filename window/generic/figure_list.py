@@ -10,6 +10,7 @@ from tumble.calibrations.report.layers import Sheet
 from tumble.window.generic.drawn import figures_of
 from tumble.window.generic.panel_plot import panel_plots
 from tumble.window.look.plain import PlainLabel
+from tumble.window.look.plots import Plot
 from tumble.window.look.sentences import in_language
 from tumble.window.work.presentation import Drawn, Presentation
 
@@ -56,12 +57,21 @@ class FigureColumn(QWidget):
         title.setObjectName("heading")
         title.setVisible(bool(drawn.title))
         caption.setWordWrap(True)
-        figure = _picture(drawn.svg) if drawn.sheet is None else _plots(drawn.sheet)
-        figure.setAccessibleName(title.text())
+        figure = figure_of(drawn)
+        if drawn.sheet is not None:
+            for plot in figure.findChildren(Plot):
+                plot.setMinimumHeight(round(_WIDTH * drawn.sheet.height / drawn.sheet.width))
         self.figures.append(figure)
         for part in (title, figure, caption):
             self._parts.append(part)
             self._column.insertWidget(self._column.count() - 1, part)
+
+
+def figure_of(drawn: Drawn) -> QWidget:
+    """A figure as plots where it can be, else as the picture of the report."""
+    figure = _picture(drawn.svg) if drawn.sheet is None else _plots(drawn.sheet)
+    figure.setAccessibleName(in_language(drawn.title or drawn.caption))
+    return figure
 
 
 def _picture(svg: str) -> QWidget:
@@ -75,11 +85,10 @@ def _picture(svg: str) -> QWidget:
 
 
 def _plots(sheet: Sheet) -> QWidget:
-    """Beside and below each other as in the report, and as high for their width."""
+    """Beside and below each other as in the report."""
     plots = QWidget()
     grid = QGridLayout(plots)
     grid.setContentsMargins(0, 0, 0, 0)
     for number, plot in enumerate(panel_plots(sheet)):
-        plot.setMinimumHeight(round(_WIDTH * sheet.height / sheet.width))
         grid.addWidget(plot, *divmod(number, sheet.columns))
     return plots

@@ -25,10 +25,10 @@ from tumble.window.look.tints import AMBER, GREEN, GREY, RED, Tint
 from tumble.window.parts import ResultTab
 from tumble.window.registry import window_part
 from tumble.window.screens.loop_view import LoopView
+from tumble.window.screens.values_view import ValuesView
 from tumble.window.widgets.action_menu import ActionButton
 from tumble.window.widgets.banner import Banner
 from tumble.window.widgets.correlation_table import CorrelationTable
-from tumble.window.widgets.values_table import ValuesTable
 from tumble.window.work.activity import Concluded, FurtherExperiment
 from tumble.window.work.background import Background
 from tumble.window.work.presentation import Presentation
@@ -53,7 +53,8 @@ class ResultScreen(QWidget):
         self.presentation: Presentation | None = None
         self.banner = Banner()
         self.verdict, self._subject, self._notices = PlainLabel(), PlainLabel(), PlainLabel()
-        self.table = ValuesTable()
+        self._values = ValuesView()
+        self.table = self._values.table
         self.report_button = ActionButton(self.table.table.offer(tr("Open the &report"), self._open_report))
         self.correlation, self.loop = CorrelationTable(), LoopView()
         self.tabs, self._part = QTabWidget(), window_part(FIRST)
@@ -82,7 +83,7 @@ class ResultScreen(QWidget):
     def _show(self, presentation: Presentation) -> None:
         self.presentation = presentation
         self._show_head(presentation)
-        self.table.show_lines(presentation.table)
+        self._values.show_presentation(presentation)
         self._take_tabs_of(presentation.concluded.method)
         for tab in self._own:
             tab.show(presentation)
@@ -151,7 +152,7 @@ class ResultScreen(QWidget):
         head.addWidget(self.verdict, stretch=1)
         head.addWidget(self.report_button)
         for title, part in (
-            (tr("Parameters"), self.table),
+            (tr("Parameters"), self._values),
             (tr("Correlations"), self.correlation),
             (tr("Effects"), self.loop),
         ):

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
+    QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
     QWidget,
@@ -58,6 +59,7 @@ class ValuesTable(QWidget):
         super().__init__(parent)
         self.table = Table([in_language(heading) for heading in _HEADINGS])
         self.table.setItemDelegateForColumn(_LIMITS, _BarDelegate(self.table))
+        self.table.setSizeAdjustPolicy(QTableWidget.SizeAdjustPolicy.AdjustToContents)
         self.reasons = PlainLabel()
         self.reasons.setWordWrap(True)
         self.further = QCheckBox(tr("&Intervals, standard uncertainties, declared model"))

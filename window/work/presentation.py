@@ -94,5 +94,7 @@ class Presentation:
     verdict: Verdict
     notices: Sequence[str]
     table: Sequence[ParameterLine]
+    picture: Drawn | None = None
+    """The figure that says most, for whoever looks before reading: it stands below the values."""
     correlations: Correlations | None = None
     loop: LoopSummary | None = None

@@ -62,6 +62,7 @@ def _of_this_method(presentation: Presentation) -> HeadPresentation:
 
 def present(concluded: Concluded) -> HeadPresentation:
     """Work out what there is to show."""
+    from tumble.calibrations.methods.dividing_head.report.evidence import residual_sections
     from tumble.calibrations.methods.dividing_head.report.results import notices, results
     from tumble.calibrations.methods.dividing_head.report.subject import Subject
     from tumble.calibrations.methods.dividing_head.report.uncertainty import budget_sections
@@ -78,7 +79,7 @@ def present(concluded: Concluded) -> HeadPresentation:
     models = {"declared": rows_of(traced.calibration)}
     if loop.effects or loop.unexplained:
         models["augmented"] = rows_of(loop.augmented)
-    coefficients = use.calibration.correlation
+    coefficients, summary = use.calibration.correlation, _summary(loop)
     return HeadPresentation(
         concluded=concluded,
         verdict=traced.verdict,
@@ -89,7 +90,8 @@ def present(concluded: Concluded) -> HeadPresentation:
             coefficients=coefficients,
             texts=tuple(tuple(map(_coefficient, row)) for row in coefficients),
         ),
-        loop=_summary(loop),
+        picture=next(iter(summary.figures or drawn_of(residual_sections(subject))), None),
+        loop=summary,
         models=models,
         budget=tuple(budget_sections(subject)),
     )
