@@ -126,6 +126,8 @@ class Panel:
     x: Axis = Axis()
     y: Axis = Axis()
     title: str = ""
+    equal_units: bool = False
+    """Whether a unit is as long up as across, at any size; a page has it by the height and width of its figure."""
 
 
 @dataclass(frozen=True, kw_only=True)

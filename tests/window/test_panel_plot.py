@@ -54,6 +54,17 @@ def test_its_points_and_lines_are_the_values_of_the_plot(plots):
     assert values.series[1].y.tolist() == [0.0, 20.0, 40.0]
 
 
+def test_a_circle_is_round_however_wide_the_plot_is(qtbot):
+    around = np.linspace(0.0, 2.0 * np.pi, 50)
+    panel = Panel(layers=(Line(x=np.cos(around), y=np.sin(around)),), equal_units=True)
+    (plot,) = panel_plots(replace(FIGURE, panels=(panel,), columns=1))
+    qtbot.addWidget(plot)
+    plot.resize(1200, 300)
+    plot.show()
+    across, up = plot.getViewBox().viewPixelSize()
+    assert across == pytest.approx(up, rel=0.01)
+
+
 def test_axes_are_as_they_are_described(plots):
     (left, right), _ = plots[0].viewRange()
     assert (left, right) == (0.0, 25.0)

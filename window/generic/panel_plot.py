@@ -45,6 +45,7 @@ class PanelPlot(Plot):
         super().__init__(bottom=across, left=up, parent=parent)
         self._panel = panel
         self._title = in_language(panel.title)
+        self.getViewBox().setAspectLocked(panel.equal_units)
         self._draw()
         self.recoloured.connect(self._draw)
 

@@ -38,6 +38,7 @@ def heading_circle(loop: GyrocompassLoop) -> Figure:
         layers=tuple(_compass(loop)),
         x=Axis(ticks=(-1.0, 1.0), names=("W", "E"), ends=(-_BEYOND, _BEYOND)),
         y=Axis(ticks=(-1.0, 1.0), names=("S", "N"), ends=(-_BEYOND, _BEYOND)),
+        equal_units=True,
     )
     return Figure(
         name="heading",
