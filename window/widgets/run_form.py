@@ -13,6 +13,7 @@ from tumble.app.stand import LoadedStand, load_stand
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import Programme
 from tumble.procedures.programmes import about_programme, load_programme, shipped_programmes
+from tumble.window.kept import kept_text
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel, as_tooltip
 from tumble.window.look.sentences import in_language, plan_text
@@ -44,9 +45,9 @@ class RunForm(QWidget):
             field.returnPressed.connect(self.await_scan)
         for name in sorted(shipped_programmes(), key=_is_probe):
             self.programme.addItem(name, name)
-        self.add_programme(str(QSettings().value("run/programme", "seed")))
+        self.add_programme(kept_text("run/programme", "seed"))
         self.programme.setMinimumContentsLength(14)
-        self.operator.setText(str(QSettings().value("run/operator", "")))
+        self.operator.setText(kept_text("run/operator"))
         self._browse = QPushButton(tr("&File…"))
         self._browse.clicked.connect(self._choose_file)
         self.summary = PlainLabel()
