@@ -61,6 +61,16 @@ def test_units_are_measured_one_after_the_other_to_their_records(driver, tiny, n
     assert {record.id for record in driver.window.records.records} == {entry.record_id for entry in entries(driver)}
 
 
+def test_a_unit_that_is_scanned_right_after_the_key_is_not_the_one_that_is_added(driver, tiny):
+    driver.window.open(driver.run)
+    driver.run.form.add_programme(str(tiny))
+    for serial in ("A-1", "B-2", "C-3"):
+        driver.run.form.await_scan()
+        driver.scan(serial)
+        driver.press(Qt.Key.Key_F2)
+    assert [entry.serial_number for entry in entries(driver)] == ["A-1", "B-2", "C-3"]
+
+
 def test_the_lot_of_a_unit_goes_from_the_form_to_its_record(driver, tiny, no_report):
     driver.run.form.lot.setText(" L-26 ")
     add(driver, tiny, "A-1")
