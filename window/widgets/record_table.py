@@ -19,7 +19,7 @@ from tumble.window.widgets.table import Ink
 from tumble.window.work.record_lines import RecordLine
 from tumble.window.work.record_words import StandState
 
-_MEASURED, _VERDICT, _EFFECTS, _STAND = 2, 3, 5, 6
+_UNIT, _MEASURED, _VERDICT, _EFFECTS, _STAND, _LOT = 0, 2, 3, 5, 6, 7
 """Columns."""
 _STAND_SIGNS: Final = {
     StandState.CORRECTED: CORRECTED,
@@ -47,6 +47,7 @@ class RecordTable(SortableTable):
         )
         super().__init__(headings, newest=_MEASURED, parent=parent)
         self._lines: Sequence[RecordLine] = ()
+        self.keep_narrow(_UNIT, _STAND, _LOT)
         self.setWordWrap(False)
         self._size_signs()
 
