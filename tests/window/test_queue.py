@@ -205,6 +205,35 @@ def test_a_fault_holds_the_queue_and_is_told_in_its_line(driver, tiny, monkeypat
     assert stages(driver)[1] == ("B-2", Stage.WAITING)
 
 
+def test_a_stop_is_of_the_past_once_the_run_goes_on(driver, long):
+    driver.window.stand.simulation.speed.setCurrentIndex(2)
+    add(driver, long, "A-1", "B-2")
+    driver.press(Qt.Key.Key_F4)
+    driver.wait_for_points(1)
+    driver.window.worker.stop()
+    wait_for(driver, Stage.STOPPED, Stage.WAITING)
+    driver.wait(driver.run.offered.button.isEnabled)
+    driver.press(Qt.Key.Key_F7)
+    wait_for(driver, Stage.MEASURING, Stage.WAITING)
+    assert driver.run.queue_view.said.text() == "The queue is held; F4 goes on with it."
+
+
+def test_a_unit_that_is_scanned_twice_is_told(driver, tiny):
+    add(driver, tiny, "A-1", "B-2", "A-1")
+    told = "A-1 waits more than once, and is measured as often; Del takes a line out."
+    assert driver.run.queue_view.said.text() == told
+    driver.run.queue.remove(entries(driver)[2].id)
+    assert driver.run.queue_view.said.text() == ""
+
+
+def test_a_unit_that_is_wanted_several_times_is_not_told(driver, tiny):
+    driver.window.open(driver.run)
+    driver.run.controls.repeats.setValue(3)
+    add(driver, tiny, "A-1")
+    assert len(entries(driver)) == 3
+    assert driver.run.queue_view.said.text() == ""
+
+
 def test_units_are_added_while_one_is_measured(driver, long):
     driver.window.stand.simulation.speed.setCurrentIndex(2)
     driver.start(long, "A-1")

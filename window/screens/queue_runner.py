@@ -11,7 +11,7 @@ from tumble.app.running import Job
 from tumble.app.stand import LoadedStand
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
-from tumble.window.look.sentences import unit_text
+from tumble.window.look.sentences import held_text, unit_text
 from tumble.window.screens.run_course import RunCourse, was_stopped
 from tumble.window.work.activity import Activity, Calibration, Concluded, Resumption
 from tumble.window.work.queue_file import QueueFile
@@ -144,7 +144,7 @@ class QueueRunner(QObject):
 
     def hold(self) -> None:
         """Begin nothing more by itself."""
-        self._hold(tr("The queue is held; F4 goes on with it."))
+        self._hold(held_text())
 
     def proceed(self) -> None:
         """Begin the next run; to be called whenever the stand is free."""
@@ -182,6 +182,7 @@ class QueueRunner(QObject):
             entry_id = entry.id if entry else None
         self._want_no_unit()
         self._seated = activity.job.serial_number
+        self.said = held_text() if self.said and self.queue.waiting else ""  # why it was held may be of the past
         if entry_id is not None:
             self._of.append((activity, entry_id))
             self._file.be_present()
