@@ -71,7 +71,7 @@ class MainWindow(QMainWindow):
         self._badges, self._caller = Badges(self.frame.rail), Caller(self)
         self._remedies = Remedies(
             is_free=lambda: not (self.busy or self.worker.session.is_connected),
-            connect=self.stand.connect_button.click,
+            stand=self.stand,
             resume=self.records.resume,
         )
         self.finding = Finding(

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QPushButton, QWidg
 from tumble.app.names import given_name
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand, load_stand
+from tumble.app.stand_changes import check_unchanged
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import Programme
 from tumble.procedures.programmes import about_programme, load_programme, shipped_programmes
@@ -95,6 +96,7 @@ class RunForm(QWidget):
         serial_number = self.serial.text().strip()
         if not serial_number:
             raise InputError(tr("There is no serial number yet: type it or scan it"))
+        check_unchanged(self._stand())
         job = Job(
             stand=self._stand(),
             programme=load_programme(self.chosen),

@@ -125,8 +125,8 @@ class RunQueue:
         """Add runs at the end, those that are not there."""
         self.entries += [entry for entry in entries if self.get(entry.id) is None]
 
-    def get(self, entry_id: str) -> Entry | None:
-        """The entry of an id; None where it was removed."""
+    def get(self, entry_id: str | None) -> Entry | None:
+        """The entry of an id; None where it was removed, and of none."""
         return next((entry for entry in self.entries if entry.id == entry_id), None)
 
     def awaits_unit(self, entry_id: str, owner: str) -> bool:

@@ -11,6 +11,7 @@ import numpy as np
 
 from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
+from tumble.app.stand_changes import check_unchanged
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, naming
@@ -192,6 +193,7 @@ class StandSession:
         `check` is called while an instrument is awaited; it may raise `StopRequestedError`, at which whatever moves is
         brought to rest. Raises `InputError`, `JobError`, `DeviceError`.
         """
+        check_unchanged(self.loaded)
         with ExitStack() as stack:
             stack.enter_context(holding(self.loaded, "no unit yet", check))
             connected = connect(self.loaded, attendant=attendant, past=past, check=check)
