@@ -15,6 +15,7 @@ from tumble.procedures.errors import InputError
 from tumble.procedures.programme import Programme
 from tumble.procedures.programmes import about_programme, load_programme, shipped_programmes
 from tumble.window.kept import kept_text
+from tumble.window.look.alphabets import doubt
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel, as_tooltip
 from tumble.window.look.sentences import in_language, plan_text
@@ -53,8 +54,11 @@ class RunForm(QWidget):
         self._browse.clicked.connect(self._choose_file)
         self.summary = PlainLabel()
         self.summary.setWordWrap(True)
+        self.doubted = PlainLabel()
+        self.doubted.hide()
         self._lay_out()
         self.serial.textChanged.connect(self.changed)
+        self.serial.textChanged.connect(self._doubt)
         self.operator.editingFinished.connect(self._remember)
         self.operator.textChanged.connect(self.changed)
         self.programme.currentIndexChanged.connect(self._programme_chosen)
@@ -123,6 +127,7 @@ class RunForm(QWidget):
             grid.addWidget(label, 0, column)
             grid.addWidget(field, 1, column)
             grid.setColumnStretch(column, stretch)
+        grid.addWidget(self.doubted, 2, 0, 1, len(parts))
 
     def _choose_file(self) -> None:
         dialog = FileDialog(tr("Programme"), Path.cwd(), tr("Programmes (*.toml)"))
@@ -142,6 +147,11 @@ class RunForm(QWidget):
             self.method_chosen.emit(load_programme(self.chosen).method)
         self._summarise()
         self.changed.emit()
+
+    def _doubt(self, serial_number: str) -> None:
+        """Say what is doubtful about the letters of a unit, whose record nobody would find again."""
+        self.doubted.setText(doubt(serial_number))
+        self.doubted.setVisible(bool(self.doubted.text()))
 
     def _remember(self) -> None:
         QSettings().setValue("run/programme", self.chosen)
