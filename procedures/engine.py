@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 
+from tumble.calibrations.core.sentences import series
 from tumble.drivers.protocols import Identity, Stand
 from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
@@ -126,7 +127,7 @@ class Engine:
             recovery=self._recovery,
             announcer=self._announcer,
             phase=self._phase,
-            moving=" or ".join(map(stand.title, (*stand.positioners, *stand.exciters))),
+            moving=series([stand.title(name) for name in (*stand.positioners, *stand.exciters)], "or"),
         )
         self._taking = Taking(
             self._measuring,

@@ -14,6 +14,7 @@ from tumble.app.stand import LoadedStand
 from tumble.app.stand_changes import check_unchanged
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
+from tumble.calibrations.core.sentences import series
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, naming
 from tumble.drivers.protocols import (
     Block,
@@ -245,9 +246,11 @@ class StandSession:
             with suppress(Exception):  # `standstill` says it again, over a link that it opens anew
                 motion.brake()
         if not standstill(motions, stand.clock):
-            remedy = "switch it off and look at it before you touch it"
-            titles = " or ".join(motion.title for motion in motions)
-            raise DeviceError(titles, "its standstill could not be read back", remedy)
+            raise DeviceError(
+                series([motion.title for motion in motions], "or"),
+                Message("its standstill could not be read back"),
+                Message("switch it off and look at it before you touch it"),
+            )
 
 
 def _climate(status: EnvironmentStatus) -> Block:
