@@ -15,6 +15,7 @@ from tumble.app.kept_reports import keep, report_path
 from tumble.app.last_calibration import changes_since, other_lots
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
+from tumble.app.opening import check_not_lost
 from tumble.app.recording_names import recording_path
 from tumble.app.running import Job, failure, run
 from tumble.app.wiring import Connected
@@ -50,6 +51,7 @@ def make_ready(folder: Path) -> None:
     from tumble.calibrations.records.store import Store
 
     try:
+        check_not_lost(folder)
         Store(folder).migrate()
         (folder / "reports").mkdir(exist_ok=True)
     except StoreError as error:

@@ -1,14 +1,28 @@
 """Opening a store."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tumble.calibrations.records import DATABASE
 from tumble.calibrations.records.errors import StoreError
+from tumble.messages import Message
 from tumble.procedures.errors import InputError
 
 if TYPE_CHECKING:
     from tumble.calibrations.records.store import Store
+
+_OF_RECORDS: Final = "reports/[0-9]*-[0-9]*-*.html"
+"""Reports are called by the id of their record."""
+
+
+def check_not_lost(folder: Path) -> None:
+    """Raise `StoreError` where there are reports of records and no database: a new one would begin a second chain."""
+    if not (folder / DATABASE).exists() and any(folder.glob(_OF_RECORDS)):
+        raise StoreError(
+            folder / DATABASE,
+            Message("this database is gone, and the reports of its records are here"),
+            Message("restore it from a backup, or choose another store"),
+        )
 
 
 def open_store(folder: Path) -> "Store":

@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 
+from tumble.calibrations.core.sentences import series
 from tumble.drivers.protocols import Identity, Stand
 from tumble.messages import Message
 from tumble.procedures.acquisition import Acquisition
@@ -31,7 +32,7 @@ from tumble.procedures.journeys import POLL_S
 from tumble.procedures.losses import Losses
 from tumble.procedures.measuring import Measuring
 from tumble.procedures.operator import Operator
-from tumble.procedures.outcome import Outcome, either
+from tumble.procedures.outcome import Outcome
 from tumble.procedures.phase import Phase
 from tumble.procedures.recovery import Recovery
 from tumble.procedures.replay import replay
@@ -126,7 +127,7 @@ class Engine:
             recovery=self._recovery,
             announcer=self._announcer,
             phase=self._phase,
-            moving=either(map(stand.title, (*stand.positioners, *stand.exciters))),
+            moving=series([stand.title(name) for name in (*stand.positioners, *stand.exciters)], "or"),
         )
         self._taking = Taking(
             self._measuring,

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import reduce
 from typing import Final
 
 from tumble.drivers.errors import DeviceError
@@ -38,12 +37,6 @@ _REASONS: Final = {
     DeviceError: FinishReason.DEVICE_FAULT,
     StorageError: FinishReason.STORAGE,
 }
-
-
-def either(titles: Iterable[str]) -> str:
-    """Instruments of which any may be meant, as sentences call them; empty where there is none."""
-    named = tuple(titles)
-    return reduce(lambda one, other: Message("{first} or {last}", first=one, last=other), named) if named else ""
 
 
 def outcome_of(error: BaseException | None, points: Iterable[Point], at_standstill: bool, moving: str) -> Outcome:

@@ -71,7 +71,7 @@ class MainWindow(QMainWindow):
         self._badges, self._caller = Badges(self.frame.rail), Caller(self)
         self._remedies = Remedies(
             is_free=lambda: not (self.busy or self.worker.session.is_connected),
-            connect=self.stand.connect_button.click,
+            stand=self.stand,
             resume=self.records.resume,
         )
         self.finding = Finding(
@@ -84,7 +84,7 @@ class MainWindow(QMainWindow):
         )
         self.beginning = Beginning(self.run, self.stand, lambda: self.worker.session, lambda: self.busy, self)
         self._connect()
-        self.frame.rail.choose(restore_place(self))
+        self.frame.rail.choose(restore_place(self, len(self._in_order)))
         self._show_stand(loaded)
         self.stand.suit(self.run.form.chosen_or_shipped().method)
         self.run.queue.open()

@@ -5,19 +5,20 @@ from typing import Final
 from PySide6.QtCore import QByteArray, QPoint, QRect, QSettings, QSize
 from PySide6.QtWidgets import QMainWindow
 
+from tumble.window.kept import kept_place
+
 _SIZE: Final = QSize(1280, 800)
 _FRAME: Final = QSize(16, 40)
 """What a window manager puts round a window, where it has not said so yet."""
 
 
-def restore_place(window: QMainWindow) -> int:
-    """Give a window the place that it had, and return the number of the screen that was shown."""
+def restore_place(window: QMainWindow, screens: int) -> int:
+    """Give a window the place that it had, and return which of its screens was shown."""
     window.resize(_SIZE)
-    settings = QSettings()
-    geometry = settings.value("window/geometry")
+    geometry = QSettings().value("window/geometry")
     if isinstance(geometry, QByteArray):
         window.restoreGeometry(geometry)
-    return int(str(settings.value("window/screen", 0)))
+    return kept_place("window/screen", 0, screens)
 
 
 def remember_place(window: QMainWindow, number: int) -> None:

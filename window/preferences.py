@@ -5,6 +5,7 @@ from typing import Final, TypeVar
 from PySide6.QtCore import QSettings
 
 from tumble.messages import Language
+from tumble.window.kept import kept_number, kept_text
 from tumble.window.look.language import preferred
 from tumble.window.look.shades import Shade
 
@@ -35,10 +36,7 @@ def choose_language(chosen: Language) -> None:
 
 def text_scale() -> float:
     """The size of text that was chosen: the one of `SCALES` that is nearest to what is kept."""
-    try:
-        kept = float(str(QSettings().value("look/text_scale", 1.0)))
-    except ValueError:
-        return 1.0
+    kept = kept_number("look/text_scale", 1.0)
     return min(SCALES, key=lambda scale: abs(scale - kept))
 
 
@@ -68,11 +66,11 @@ def choose_flash(chosen: bool) -> None:
 
 
 def _is_on(name: str) -> bool:
-    return str(QSettings().value(name, "on")) != "off"
+    return kept_text(name, "on") != "off"
 
 
 def _choice(name: str, usual: _Choice) -> _Choice:
     try:
-        return type(usual)(str(QSettings().value(name, usual)))
+        return type(usual)(kept_text(name, usual))
     except ValueError:
         return usual

@@ -21,5 +21,6 @@ def remember_stand(path: Path) -> None:
 
 
 def _kept() -> list[str]:
-    kept = QSettings().value(_NAME, [])
-    return [kept] if isinstance(kept, str) else [str(each) for each in kept or []]  # type: ignore[attr-defined]  # a list of one is a text
+    kept = QSettings().value(_NAME)
+    several = kept if isinstance(kept, list) else [kept]  # a list of one is a text
+    return [each for each in several if isinstance(each, str)]

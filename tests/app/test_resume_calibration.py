@@ -65,6 +65,7 @@ def test_a_calibration_that_was_cut_off_before_its_report_gets_it_and_no_second_
 def test_a_calibration_that_was_cut_off_before_its_record_gets_one(finished):
     store, said = finished
     (store / "records.sqlite").unlink()
+    Path(said["report"]).unlink()
     again = json.loads(tumble("resume", said["recording"], "--json", "-").out)
     assert again["record"] != said["record"]
     assert again["parameters"] == said["parameters"]

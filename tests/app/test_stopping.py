@@ -10,6 +10,7 @@ from tumble.calibrations.records.store import Store
 from tumble.drivers.errors import DeviceError
 from tumble.drivers.simulated.daq import SimulatedDaq
 from tumble.drivers.simulated.head import SimulatedHead
+from tumble.messages import Language
 from tumble.procedures.events import FinishReason, PointCompleted, State, StateChanged
 from tumble.procedures.programmes import load_programme
 from tumble.procedures.recording.reader import read_recording
@@ -122,6 +123,15 @@ def test_a_head_that_falls_silent_is_status_3_and_nobody_claims_a_standstill(tin
     assert ran.status == 3
     assert "its standstill could not be read back; look at it before you touch it" in ran.complaint
     assert not read_recording(recording).ending.at_standstill
+
+
+def test_what_may_still_move_is_told_in_the_language_of_its_reader(tiny, tmp_path, monkeypatch):
+    at_call(monkeypatch, SimulatedHead, "status", 20, raiser(LOST))
+
+    _, recording = run_tiny(tiny, tmp_path)
+
+    said = read_recording(recording).ending.message.in_language(Language.GERMAN)
+    assert said.endswith("Teilkopf: der Stillstand konnte nicht zurückgelesen werden; vor dem Berühren ansehen")
 
 
 def test_a_fault_of_the_program_in_a_run_is_status_70_and_the_points_are_kept(tiny, tmp_path, monkeypatch):

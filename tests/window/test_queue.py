@@ -61,6 +61,16 @@ def test_units_are_measured_one_after_the_other_to_their_records(driver, tiny, n
     assert {record.id for record in driver.window.records.records} == {entry.record_id for entry in entries(driver)}
 
 
+def test_a_unit_that_is_scanned_right_after_the_key_is_not_the_one_that_is_added(driver, tiny):
+    driver.window.open(driver.run)
+    driver.run.form.add_programme(str(tiny))
+    for serial in ("A-1", "B-2", "C-3"):
+        driver.run.form.await_scan()
+        driver.scan(serial)
+        driver.press(Qt.Key.Key_F2)
+    assert [entry.serial_number for entry in entries(driver)] == ["A-1", "B-2", "C-3"]
+
+
 def test_the_lot_of_a_unit_goes_from_the_form_to_its_record(driver, tiny, no_report):
     driver.run.form.lot.setText(" L-26 ")
     add(driver, tiny, "A-1")
@@ -193,6 +203,35 @@ def test_a_fault_holds_the_queue_and_is_told_in_its_line(driver, tiny, monkeypat
     said = "The queue is held: A-1 failed, as its line says. F4 goes on with the next."
     assert driver.run.queue_view.said.text() == said
     assert stages(driver)[1] == ("B-2", Stage.WAITING)
+
+
+def test_a_stop_is_of_the_past_once_the_run_goes_on(driver, long):
+    driver.window.stand.simulation.speed.setCurrentIndex(2)
+    add(driver, long, "A-1", "B-2")
+    driver.press(Qt.Key.Key_F4)
+    driver.wait_for_points(1)
+    driver.window.worker.stop()
+    wait_for(driver, Stage.STOPPED, Stage.WAITING)
+    driver.wait(driver.run.offered.button.isEnabled)
+    driver.press(Qt.Key.Key_F7)
+    wait_for(driver, Stage.MEASURING, Stage.WAITING)
+    assert driver.run.queue_view.said.text() == "The queue is held; F4 goes on with it."
+
+
+def test_a_unit_that_is_scanned_twice_is_told(driver, tiny):
+    add(driver, tiny, "A-1", "B-2", "A-1")
+    told = "A-1 waits more than once, and is measured as often; Del takes a line out."
+    assert driver.run.queue_view.said.text() == told
+    driver.run.queue.remove(entries(driver)[2].id)
+    assert driver.run.queue_view.said.text() == ""
+
+
+def test_a_unit_that_is_wanted_several_times_is_not_told(driver, tiny):
+    driver.window.open(driver.run)
+    driver.run.controls.repeats.setValue(3)
+    add(driver, tiny, "A-1")
+    assert len(entries(driver)) == 3
+    assert driver.run.queue_view.said.text() == ""
 
 
 def test_units_are_added_while_one_is_measured(driver, long):

@@ -52,6 +52,15 @@ def test_what_cannot_be_seen_in_a_name_that_was_pasted_is_refused(driver, field)
         driver.run.form.job()
 
 
+@pytest.mark.parametrize("field", ["serial", "lot", "operator"])
+def test_a_name_that_is_too_long_is_refused_and_not_cut(driver, field):
+    box = getattr(driver.run.form, field)
+    box.clear()
+    driver.scan("A" * 101, at=box)
+    with pytest.raises(InputError, match="101 characters are no name; give 100 at most"):
+        driver.run.form.job()
+
+
 def test_blanks_round_a_name_are_none_of_it(driver):
     driver.run.form.lot.setText("  L 26/3 ")
     assert driver.run.form.job().lot == "L 26/3"

@@ -5,13 +5,15 @@ from typing import Final
 from PySide6.QtCore import QObject, QSettings
 from PySide6.QtGui import QAction, QKeySequence
 
+from tumble.window.kept import kept_text
+
 _GROUP: Final = "keys"
 
 
 def chosen_key(usual: str) -> QKeySequence:
     """The key that a person chose in place of the usual one, or that one."""
-    kept = QSettings().value(f"{_GROUP}/{_name(usual)}")
-    return QKeySequence(str(kept) if kept else usual)
+    kept = QKeySequence(kept_text(f"{_GROUP}/{_name(usual)}"))
+    return kept if kept.toString() else QKeySequence(usual)
 
 
 def choose_key(usual: str, chosen: QKeySequence) -> None:

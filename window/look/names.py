@@ -6,12 +6,15 @@ The words of the contracts (`scale_drift`) stay what they are in programmes, tab
 from typing import Final
 
 from tumble.drivers.tables import CHAMBER, DAQ, EXCITER, HEAD
+from tumble.drivers.text import visible
 from tumble.messages import Message, with_wording
 from tumble.window.look.language import spoken, tr
 from tumble.window.look.shades import Shade
 
 AIR: Final = "air_degc"
 """The channel by which the temperature of an environment is shown."""
+_SHORT: Final = 32
+"""Characters, the most that a name has among others."""
 
 
 def instrument_name(name: str) -> str:
@@ -25,6 +28,11 @@ def instrument_name(name: str) -> str:
         "inner": tr("Inner axis"),
     }
     return usual.get(name, name)
+
+
+def short_name(name: str) -> str:
+    """A name that a person gave, where others want room beside it: of a long one the middle gives way."""
+    return visible(name, _SHORT)
 
 
 def effect_name(effect: str) -> str:

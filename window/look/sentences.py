@@ -111,6 +111,11 @@ def lot_text(lot: str) -> str:
     return tr("lot {lot}", lot=lot) if lot else ""
 
 
+def held_text() -> str:
+    """Of a queue that waits until somebody goes on with it."""
+    return tr("The queue is held; F4 goes on with it.")
+
+
 def unit_text(serial_number: str, lot: str) -> str:
     """A unit by what a person can read on it, to be held against that."""
     return " · ".join(filter(None, (serial_number, lot_text(lot))))

@@ -13,6 +13,7 @@ from tumble.app.files import replacing
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.window.frame import Frame
+from tumble.window.kept import kept_text
 from tumble.window.look.language import tr
 from tumble.window.plots.picture import drawn
 from tumble.window.plots.savable import Savable, SaveWanted
@@ -52,7 +53,7 @@ class SavingPlots(QObject):
         return super().eventFilter(watched, event)
 
     def _ask(self, savable: Savable) -> None:
-        folder = Path(str(QSettings().value(_FOLDER) or Path.home()))
+        folder = Path(kept_text(_FOLDER) or Path.home())
         dialog = FileDialog(tr("Save the plot"), folder / f"{savable.name}.png", FORMATS, saving=True)
         dialog.chosen.connect(partial(self._save, contents(savable)))
         self._frame.dialogs.show_dialog(dialog)

@@ -33,6 +33,7 @@ class CutOffView(QWidget):
         self._runs: tuple[CutOff, ...] = ()
         self._allowed = True
         self.table = Table((tr("unit"), tr("method"), tr("programme"), tr("points"), tr("ended"), tr("recording")))
+        self.table.keep_narrow(0)
         self.resume_button = MotionButton(tr("Go on with it"), "F7")
         self.resume_button.clicked.connect(partial(self._want, self.resume_wanted))
         self.analyse_button = self._button(tr("Analyse as it is"), self.analysis_wanted)

@@ -1,9 +1,16 @@
 """The queue as it is shown, and what a person does with it."""
 
+from typing import Final
+
 from PySide6.QtWidgets import QWidget
 
+from tumble.window.look.language import tr
+from tumble.window.look.names import short_name
 from tumble.window.screens.queue_runner import QueueRunner
 from tumble.window.widgets.queue_view import QueueView
+
+_TOLD: Final = 2
+"""Units that are said to wait twice: more would push the queue out of sight."""
 
 
 class QueuePanel(QueueView):
@@ -19,5 +26,11 @@ class QueuePanel(QueueView):
         self._show()
 
     def _show(self) -> None:
-        self.show_entries(self._runner.queue.entries)
-        self.say(self._runner.said)
+        queue = self._runner.queue
+        self.show_entries(queue.entries)
+        twice = [_twice_text(unit) for unit in queue.twice]
+        self.say("\n".join(filter(None, (self._runner.said, *twice[:_TOLD]))))
+
+
+def _twice_text(unit: str) -> str:
+    return tr("{unit} waits more than once, and is measured as often; Del takes a line out.", unit=short_name(unit))

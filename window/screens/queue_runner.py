@@ -9,9 +9,10 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from tumble.app.exits import JobError
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand
+from tumble.app.stand_changes import check_unchanged
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import tr
-from tumble.window.look.sentences import unit_text
+from tumble.window.look.sentences import held_text, unit_text
 from tumble.window.screens.run_course import RunCourse, was_stopped
 from tumble.window.work.activity import Activity, Calibration, Concluded, Resumption
 from tumble.window.work.queue_file import QueueFile
@@ -144,7 +145,7 @@ class QueueRunner(QObject):
 
     def hold(self) -> None:
         """Begin nothing more by itself."""
-        self._hold(tr("The queue is held; F4 goes on with it."))
+        self._hold(held_text())
 
     def proceed(self) -> None:
         """Begin the next run; to be called whenever the stand is free."""
@@ -156,7 +157,6 @@ class QueueRunner(QObject):
         try:
             job, plan = planned(entry, self._stand())
         except InputError as error:
-            self.going = False
             self._fail(entry, str(error))
             self.refused.emit(error)
             return
@@ -169,7 +169,7 @@ class QueueRunner(QObject):
 
     def confirm_unit(self) -> None:
         """The unit that was wanted is on the stand: its run begins as soon as that is told."""
-        entry = self.queue.get(self._wanted) if self._wanted is not None else None
+        entry = self.queue.get(self._wanted)
         if entry is not None:
             self._seated, self._seated_entry, self._wanted = entry.serial_number, entry, None
             self.unit_wanted.emit("")
@@ -182,6 +182,7 @@ class QueueRunner(QObject):
             entry_id = entry.id if entry else None
         self._want_no_unit()
         self._seated = activity.job.serial_number
+        self.said = held_text() if self.said and self.queue.waiting else ""  # why it was held may be of the past
         if entry_id is not None:
             self._of.append((activity, entry_id))
             self._file.be_present()
@@ -209,8 +210,7 @@ class QueueRunner(QObject):
 
     def hear_failed(self, activity: Activity, error: BaseException) -> None:
         """A run, or its analysis, ended before its time."""
-        entry_id = self._forget(activity)
-        entry = self.queue.get(entry_id) if entry_id is not None else None
+        entry = self.queue.get(self._forget(activity))
         if entry is None:
             self.hear_stop()
         elif was_stopped(error):
@@ -234,9 +234,10 @@ class QueueRunner(QObject):
     def _claimed(self) -> Entry | None:
         """The entry to be carried out here, kept from every other window; None, and the queue held, without one."""
         try:
+            check_unchanged(self._stand())
             entry = self._file.claim(place_of(self._stand()))
         except (InputError, JobError) as error:
-            self._hold(tr("The queue is held: it could not be changed. F4 goes on with it."))
+            self._hold(held_text())
             self.refused.emit(error)
             return None
         if entry is None:

@@ -15,6 +15,7 @@ from tumble.drivers.protocols import Block, Identity, PositionerStatus
 from tumble.procedures.errors import InputError
 from tumble.procedures.events import Event, Identified
 from tumble.procedures.first_method import FIRST
+from tumble.window.kept import kept_text
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel
 from tumble.window.look.sentences import in_language
@@ -249,7 +250,7 @@ class StandScreen(QWidget):
 
 def remembered_stand() -> tuple[LoadedStand, InputError | None]:
     """The stand that was chosen last; where that is none any more, the one that is built in, and why."""
-    path = str(QSettings().value("stand/path", ""))
+    path = kept_text("stand/path")
     try:
         return load_stand(Path(path) if path else None), None
     except InputError as error:

@@ -7,6 +7,7 @@ from PySide6.QtCore import QEvent, QSettings, Signal
 from PySide6.QtWidgets import QComboBox, QFrame, QGridLayout, QLabel, QLineEdit, QWidget
 
 from tumble.drivers.manual import parse_reading
+from tumble.window.kept import kept_place
 from tumble.window.look.language import tr
 from tumble.window.look.names import instrument_name
 from tumble.window.look.numbers import local
@@ -30,7 +31,7 @@ class Jog(QFrame):
         self.positioner, self.step, self.angle = QComboBox(), QComboBox(), QLineEdit()
         for step in _STEPS_DEG:
             self.step.addItem(local(f"{step}°"), float(step))
-        self.step.setCurrentIndex(int(str(QSettings().value("stand/step", 4))))
+        self.step.setCurrentIndex(kept_place("stand/step", 4, len(_STEPS_DEG)))
         self.positioner.setAccessibleName(tr("Positioner"))
         self.angle.setPlaceholderText(tr("12 34 56, or 12.5"))
         self.back = MotionButton("◀", "Ctrl+Left")

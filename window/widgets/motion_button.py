@@ -1,7 +1,7 @@
 """A button that starts motion."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeyEvent, QShortcutEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from tumble.window.look.keys import chosen_key, key_text
@@ -35,6 +35,13 @@ class MotionButton(QPushButton):
         """Go by the key that is chosen now."""
         self.setText(f"{self._title}  [{key_text(self.usual_key)}]")
         self.setShortcut(chosen_key(self.usual_key))  # the text takes it away
+
+    def event(self, event: QEvent) -> bool:
+        """Act while the key goes down: a tenth of a second later, as Qt would, the next scan is in the form."""
+        if isinstance(event, QShortcutEvent) and not event.isAmbiguous():
+            self.click()
+            return True
+        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  # Qt's name
         """Leave every key to others: the function key comes as a shortcut."""

@@ -31,6 +31,7 @@ class QueueView(QWidget):
         super().__init__(parent)
         self._entries: Sequence[Entry] = ()
         self.table = Table((tr("unit"), tr("lot"), tr("programme"), tr("run"), tr("operator"), tr("state")))
+        self.table.keep_narrow(0, 1, 4)
         self.table.setSelectionMode(Table.SelectionMode.SingleSelection)
         self.table.setAccessibleName(tr("Queue"))
         self.said = PlainLabel()

@@ -21,7 +21,7 @@ from tumble.window.work.record_words import StandState
 
 _Signs: TypeAlias = Mapping[int, tuple[Sign, str]]
 """The sign of a cell and what it says, by column."""
-_MEASURED, _VERDICT, _EFFECTS, _STAND = 2, 3, 5, 6
+_UNIT, _MEASURED, _VERDICT, _EFFECTS, _STAND, _LOT = 0, 2, 3, 5, 6, 7
 """Columns."""
 _STAND_SIGNS: Final = {
     StandState.CORRECTED: CORRECTED,
@@ -51,6 +51,7 @@ class RecordTable(SortableTable):
         self._lines: Sequence[RecordLine] = ()
         self._signs: Sequence[_Signs] = ()
         """Of every line."""
+        self.keep_narrow(_UNIT, _STAND, _LOT)
         self.setWordWrap(False)
         self._size_signs()
 

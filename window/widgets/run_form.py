@@ -10,9 +10,12 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QPushButton, QWidg
 from tumble.app.names import given_name
 from tumble.app.running import Job
 from tumble.app.stand import LoadedStand, load_stand
+from tumble.app.stand_changes import check_unchanged
 from tumble.procedures.errors import InputError
 from tumble.procedures.programme import Programme
 from tumble.procedures.programmes import about_programme, load_programme, shipped_programmes
+from tumble.window.kept import kept_text
+from tumble.window.look.alphabets import doubt
 from tumble.window.look.language import tr
 from tumble.window.look.plain import PlainLabel, as_tooltip
 from tumble.window.look.sentences import in_language, plan_text
@@ -44,15 +47,18 @@ class RunForm(QWidget):
             field.returnPressed.connect(self.await_scan)
         for name in sorted(shipped_programmes(), key=_is_probe):
             self.programme.addItem(name, name)
-        self.add_programme(str(QSettings().value("run/programme", "seed")))
+        self.add_programme(kept_text("run/programme", "seed"))
         self.programme.setMinimumContentsLength(14)
-        self.operator.setText(str(QSettings().value("run/operator", "")))
+        self.operator.setText(kept_text("run/operator"))
         self._browse = QPushButton(tr("&File…"))
         self._browse.clicked.connect(self._choose_file)
         self.summary = PlainLabel()
         self.summary.setWordWrap(True)
+        self.doubted = PlainLabel()
+        self.doubted.hide()
         self._lay_out()
         self.serial.textChanged.connect(self.changed)
+        self.serial.textChanged.connect(self._doubt)
         self.operator.editingFinished.connect(self._remember)
         self.operator.textChanged.connect(self.changed)
         self.programme.currentIndexChanged.connect(self._programme_chosen)
@@ -94,6 +100,7 @@ class RunForm(QWidget):
         serial_number = self.serial.text().strip()
         if not serial_number:
             raise InputError(tr("There is no serial number yet: type it or scan it"))
+        check_unchanged(self._stand())
         job = Job(
             stand=self._stand(),
             programme=load_programme(self.chosen),
@@ -120,6 +127,7 @@ class RunForm(QWidget):
             grid.addWidget(label, 0, column)
             grid.addWidget(field, 1, column)
             grid.setColumnStretch(column, stretch)
+        grid.addWidget(self.doubted, 2, 0, 1, len(parts))
 
     def _choose_file(self) -> None:
         dialog = FileDialog(tr("Programme"), Path.cwd(), tr("Programmes (*.toml)"))
@@ -139,6 +147,11 @@ class RunForm(QWidget):
             self.method_chosen.emit(load_programme(self.chosen).method)
         self._summarise()
         self.changed.emit()
+
+    def _doubt(self, serial_number: str) -> None:
+        """Say what is doubtful about the letters of a unit, whose record nobody would find again."""
+        self.doubted.setText(doubt(serial_number))
+        self.doubted.setVisible(bool(self.doubted.text()))
 
     def _remember(self) -> None:
         QSettings().setValue("run/programme", self.chosen)

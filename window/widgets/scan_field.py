@@ -2,17 +2,15 @@
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QFocusEvent
-from PySide6.QtWidgets import QLineEdit, QWidget
-
-from tumble.drivers.text import LONGEST_NAME
+from PySide6.QtWidgets import QLineEdit
 
 
 class ScanField(QLineEdit):
-    """What is scanned after a click takes the place of what was there; Qt would write it behind that."""
+    """What is scanned after a click takes the place of what was there; Qt would write it behind that.
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setMaxLength(LONGEST_NAME)
+    It takes a text of any length, and leaves it to whoever reads it to refuse one: of two units whose names were cut
+    one could not tell the other.
+    """
 
     def focusInEvent(self, event: QFocusEvent) -> None:  # noqa: N802  # Qt's name
         """Select everything, as Qt does where a key leads here."""

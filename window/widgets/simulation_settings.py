@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFrame, QHBoxLayout, QLabel,
 
 from tumble.app.wiring import Attendant, obliging_operator
 from tumble.procedures.operator import Operator
+from tumble.window.kept import kept_place, kept_text
 from tumble.window.look.language import tr
 
 _SPEEDS: Final = (None, 1.0, 10.0, 100.0)
@@ -26,9 +27,8 @@ class SimulationSettings(QFrame):
         self.speed = QComboBox()
         for factor in _SPEEDS:
             self.speed.addItem(tr("at once") if factor is None else f"× {factor:g}", factor)
-        settings = QSettings()
-        self.imagined.setChecked(settings.value("simulation/imagined", "false") == "true")
-        self.speed.setCurrentIndex(int(str(settings.value("simulation/speed", 2))))
+        self.imagined.setChecked(kept_text("simulation/imagined") == "true")
+        self.speed.setCurrentIndex(kept_place("simulation/speed", 2, len(_SPEEDS)))
         layout = QHBoxLayout(self)
         label = QLabel(tr("Simulated stand: time"))
         label.setWordWrap(True)

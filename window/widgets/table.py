@@ -1,6 +1,6 @@
 """A table of texts."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import Final, Literal, TypeAlias
 
 from PySide6.QtCore import QEvent, Qt, QTimer
@@ -16,6 +16,8 @@ Ink: TypeAlias = Literal["bad", "now"]
 """A colour of `Colours`, by its name there: what is written keeps its ink when others are chosen."""
 _INK: Final = Qt.ItemDataRole.UserRole + 7
 _LEAST_LINES: Final = 6
+_NARROW_LINES: Final = 11
+"""Width of a column of names, at most."""
 _LAST_LINES: Final = 8
 """Width of the last column, at least, in lines of text; with less it is as wide as its texts, and out of sight."""
 _BY_KEY: Final = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason, Qt.FocusReason.ShortcutFocusReason)
@@ -30,6 +32,7 @@ class Table(QTableWidget):
 
     def __init__(self, headings: Sequence[str], parent: QWidget | None = None) -> None:
         super().__init__(0, len(headings), parent)
+        self._narrow: Collection[int] = ()
         self._fitting = QTimer(self, singleShot=True)
         self._fitting.timeout.connect(self._fit_last)
         self.setHorizontalHeaderLabels(list(headings))
@@ -47,6 +50,15 @@ class Table(QTableWidget):
         self.addAction(self._copying)
         self._copying.setEnabled(False)
         self.selectionModel().selectionChanged.connect(lambda: self._copying.setEnabled(bool(self.chosen)))
+
+    def keep_narrow(self, *columns: int) -> None:
+        """Have columns of names that people gave leave room for the others, however long one of them is."""
+        self._narrow = columns
+
+    def sizeHintForColumn(self, column: int) -> int:  # noqa: N802  # Qt's name
+        """Width of the texts of a column, in pixels, and of names no more than there is room for."""
+        wanted = super().sizeHintForColumn(column)
+        return min(wanted, _NARROW_LINES * self.fontMetrics().height()) if column in self._narrow else wanted
 
     def offer(self, text: str, do: Callable[[], None], key: str = "") -> QAction:
         """Have something in the menu that can be done with the rows, by a `key` also while the table has the keyboard.

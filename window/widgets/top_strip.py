@@ -7,7 +7,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QWidget
 
-from tumble.window.look.plain import PlainLabel
+from tumble.window.look.names import short_name
+from tumble.window.look.plain import PlainLabel, as_tooltip
 from tumble.window.look.tints import AMBER, BLUE, GREY, RED, VIOLET, Tint
 from tumble.window.screens.run_state import Mood
 from tumble.window.widgets.banner import Banner
@@ -60,4 +61,6 @@ class TopStrip(QWidget):
 
     def _show(self, **parts: str) -> None:
         self._parts |= parts
-        self.names.setText(" · ".join(filter(None, self._parts.values())))
+        given = list(filter(None, self._parts.values()))
+        self.names.setText(" · ".join(map(short_name, given)))
+        self.names.setToolTip(as_tooltip(" · ".join(given)))

@@ -17,6 +17,7 @@ from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
 from tumble.window.look.language import tr
 from tumble.window.look.moments import day_text
+from tumble.window.look.names import short_name
 from tumble.window.look.numbers import local
 from tumble.window.look.plots import LocalAxis, Plot
 from tumble.window.look.sentences import in_language
@@ -133,7 +134,7 @@ class TrendPlot(QWidget):
         self._marks.setData(x, y, brush=[shade for shade, _ in drawn], symbol=[shape for _, shape in drawn], pen=None)
         told = [(shade, SIGNS[shape], unit) for unit, (shade, shape) in styles.items()]
         rest = [tr("and {count} more", count=len(distinct) - len(styles))] if len(distinct) > len(styles) else []
-        marks = [f'<span style="color: {shade}">{sign}</span> {escape(unit)}' for shade, sign, unit in told]
+        marks = [f'<span style="color: {shade}">{sign}</span> {escape(short_name(unit))}' for shade, sign, unit in told]
         self.key = "".join(f" &nbsp; {mark}" for mark in (*marks, *rest))
 
     def _draw_limits(self, records: Sequence[Record], name: str, unit: str) -> None:
@@ -174,7 +175,7 @@ class TrendPlot(QWidget):
         places = list(dict.fromkeys(map(self._place, records)))
         self.plot.use_bottom_axis(self._numbers)
         self.plot.getViewBox().setLimits(minXRange=None)
-        self._numbers.setTicks([list(enumerate(places))])
+        self._numbers.setTicks([list(enumerate(map(short_name, places)))])
         return np.array([float(places.index(self._place(record))) for record in records])
 
 

@@ -60,11 +60,13 @@ class Around:
 
 
 def search(folder: Path, wanted: Wanted) -> Found:
-    """Look for records; a store that is not there holds nothing."""
+    """Look for records; a store that is not there holds nothing. Raises `StoreError`, one that is lost among them."""
+    from tumble.app.opening import check_not_lost
     from tumble.calibrations.records.store import DATABASE
     from tumble.window.work.record_lines import lines_of
 
     if not (folder / DATABASE).is_file():
+        check_not_lost(folder)
         return Found(lines=(), more=False)
     found = _kept_open(folder).newest(wanted, SHOWN + 1)
     return Found(lines=lines_of(found[:SHOWN][::-1], method_titles()), more=len(found) > SHOWN)

@@ -1,5 +1,6 @@
 """Runs that are to be measured one after the other, and what became of each."""
 
+from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, fields, replace
 from enum import StrEnum
@@ -124,8 +125,8 @@ class RunQueue:
         """Add runs at the end, those that are not there."""
         self.entries += [entry for entry in entries if self.get(entry.id) is None]
 
-    def get(self, entry_id: str) -> Entry | None:
-        """The entry of an id; None where it was removed."""
+    def get(self, entry_id: str | None) -> Entry | None:
+        """The entry of an id; None where it was removed, and of none."""
         return next((entry for entry in self.entries if entry.id == entry_id), None)
 
     def awaits_unit(self, entry_id: str, owner: str) -> bool:
@@ -141,6 +142,16 @@ class RunQueue:
     def waiting(self) -> int:
         """How many wait."""
         return sum(entry.stage is Stage.WAITING for entry in self.entries)
+
+    @property
+    def twice(self) -> tuple[str, ...]:
+        """Units that wait more than once for one run: each was added anew, and not as often as it was wanted."""
+        runs = Counter(
+            (entry.serial_number, entry.programme, entry.stand, entry.repeat)
+            for entry in self.entries
+            if entry.stage is Stage.WAITING
+        )
+        return tuple(dict.fromkeys(serial_number for (serial_number, *_), count in runs.items() if count > 1))
 
     def claim(self, owner: str, stand: str) -> Entry | None:
         """Give a window the entry that waits longest for its stand; returns it, None where none waits for that."""

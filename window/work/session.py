@@ -11,8 +11,10 @@ import numpy as np
 
 from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
+from tumble.app.stand_changes import check_unchanged
 from tumble.app.stand_lock import holding
 from tumble.app.wiring import Attendant, Connected, connect
+from tumble.calibrations.core.sentences import series
 from tumble.drivers.errors import DeviceError, LinkLostError, NoReplyError, naming
 from tumble.drivers.protocols import (
     Block,
@@ -29,7 +31,6 @@ from tumble.procedures.errors import InputError, StopRequestedError
 from tumble.procedures.interlock import Interlock
 from tumble.procedures.losses import Losses
 from tumble.procedures.motion import Motion, standstill
-from tumble.procedures.outcome import either
 from tumble.window.look.language import tr
 from tumble.window.look.names import AIR
 
@@ -193,6 +194,7 @@ class StandSession:
         `check` is called while an instrument is awaited; it may raise `StopRequestedError`, at which whatever moves is
         brought to rest. Raises `InputError`, `JobError`, `DeviceError`.
         """
+        check_unchanged(self.loaded)
         with ExitStack() as stack:
             stack.enter_context(holding(self.loaded, "no unit yet", check))
             connected = connect(self.loaded, attendant=attendant, past=past, check=check)
@@ -244,9 +246,11 @@ class StandSession:
             with suppress(Exception):  # `standstill` says it again, over a link that it opens anew
                 motion.brake()
         if not standstill(motions, stand.clock):
-            titles = either(motion.title for motion in motions)
-            remedy = Message("switch it off and look at it before you touch it")
-            raise DeviceError(titles, Message("its standstill could not be read back"), remedy)
+            raise DeviceError(
+                series([motion.title for motion in motions], "or"),
+                Message("its standstill could not be read back"),
+                Message("switch it off and look at it before you touch it"),
+            )
 
 
 def _climate(status: EnvironmentStatus) -> Block:
