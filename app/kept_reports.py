@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from tumble.calibrations.records.store import Store
     from tumble.calibrations.report.document import Report
 
-_SCHEMA: Final = "tumble.report-words/3"
+_SCHEMA: Final = "tumble.report-words/4"
 """Its number is raised whenever page or paper ask for other words."""
 
 

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 from datetime import date
 from typing import Any, Final
 
@@ -12,9 +11,10 @@ from tumble.calibrations.report.dates import dated, day_of
 from tumble.calibrations.report.document import Front, Report
 from tumble.calibrations.report.instruments import Instrument, instruments, laboratory
 from tumble.calibrations.report.language import language, say
-from tumble.calibrations.report.values import values
+from tumble.calibrations.report.statements import statements, states_expanded
+from tumble.calibrations.report.values import coverage, values
 from tumble.calibrations.report.verdicts import JUDGED, MARKS, headline
-from tumble.messages import Message, translate
+from tumble.messages import AsWritten, Message, translate
 from tumble.numerals import localised
 
 _NUMERIC: Final = re.compile(r"[<>≈×]?\s*[-+−(]?\d")
@@ -24,7 +24,6 @@ _LABELS: Final = {
     "sections": Message("Sections"),
     "values": Message("Values to use"),
     "quantity": Message("Quantity"),
-    "value": Message("Value ± U"),
     "limits": Message("Limits"),
     "verdict": Message("Verdict"),
     "instruments": Message("Instruments"),
@@ -65,19 +64,21 @@ def _front(front: Front) -> dict[str, Any]:
         "headline": " ".join(filter(None, [MARKS[outcome], say(headline(front.verdict))])),
         "judged": "" if outcome is Outcome.NO_LIMITS else say(JUDGED[front.verdict.judged]),
         "decided": [
-            say(replace(each, remedy="").sentence)
+            say(Message("{name}: {reason}", name=each.name, reason=each.reason))
             for each in front.verdict.parameters
-            if each.outcome is not Outcome.PASS
+            if each.outcome is Outcome.NOT_DECIDED
         ],
         "facts": [(say(name), text) for name, text in _facts(front).items() if text],
         "values": [
             {name: text if name == "bar" else say(text) for name, text in vars(each).items()} for each in values(front)
         ],
         "limited": bool(front.limits),
+        "covered": any(coverage(each) for each in front.parameters.values()),
+        "stated_as": say(Message("Value ± U") if states_expanded(front) else Message("Value")),
         "picture": front.picture
         and {"svg": str(front.picture.figure.__html__()), "caption": say(front.picture.caption)},
         "instruments": _instruments(front),
-        "statements": [say(each) for each in (*_STATEMENTS, *([_CHANGES] if front.changes else []))],
+        "statements": [say(each) for each in statements(front)],
     }
 
 
@@ -89,22 +90,15 @@ def _facts(front: Front) -> dict[str, str]:
         Message("Operator"): provenance.operator,
         Message("Programme"): provenance.programme_name,
         Message("Stand"): provenance.stand_name,
-        Message("Record"): front.record_id,
-        Message("Revision"): str(front.revision) if front.record_id else "",
+        Message("Record"): _record(front),
     }
 
 
-_STATEMENTS: Final = (
-    Message(
-        "U is the expanded uncertainty for a coverage probability of 95%, k times the standard uncertainty; where both "
-        "sides differ, each is stated. g is local gravity."
-    ),
-    Message("The results relate only to the unit named above, as it was when it was measured."),
-)
-_CHANGES: Final = Message(
-    "Below a value stands its change since the last calibration of the unit by the same method that has a value of the "
-    "same definition; its ± is the expanded uncertainty of the difference, both values taken as independent."
-)
+def _record(front: Front) -> str:
+    """The record and, behind a comma, its revision where it is not the first."""
+    if front.revision == 1 or not front.record_id:
+        return front.record_id
+    return say(Message("{record}, revision {revision}", record=AsWritten(front.record_id), revision=front.revision))
 
 
 def _instruments(front: Front) -> dict[str, Any] | None:
@@ -148,17 +142,28 @@ def _chapter(chapter: Chapter) -> dict[str, Any]:
 
 def written_section(section: Section) -> dict[str, Any]:
     """A section in the language of the page that is written."""
-    rows = [[say(cell) for cell in row] for row in section.rows]
+    headings, table = _without_empty(section.headings, section.rows)
+    rows = [[say(cell) for cell in row] for row in table]
     return {
         "title": say(section.title),
         "lines": [say(line) for line in section.lines],
         "svg": str(section.figure().__html__()) if section.figure else "",
         "caption": say(section.caption),
-        "headings": [say(heading) for heading in section.headings],
+        "headings": [say(heading) for heading in headings],
         "rows": rows,
-        "right": _set_right(rows),
+        "right": _set_right(table),
         "code": section.code,
     }
+
+
+def _without_empty(
+    headings: Sequence[str], rows: Sequence[Sequence[str]]
+) -> tuple[Sequence[str], Sequence[Sequence[str]]]:
+    """A table without the columns in which no line has anything; the first names the line."""
+    filled = {place for row in rows for place, cell in enumerate(row) if cell}
+    kept = [place for place in range(_widest(rows)) if place == 0 or place in filled]
+    of_headings = [headings[place] for place in kept if place < len(headings)]
+    return of_headings, [[row[place] for place in kept if place < len(row)] for row in rows]
 
 
 def _set_right(rows: Sequence[Sequence[str]]) -> list[bool]:
@@ -172,4 +177,5 @@ def _widest(rows: Sequence[Sequence[str]]) -> int:
 
 
 def _mostly_numbers(cells: Sequence[str]) -> bool:
-    return 2 * sum(bool(_NUMERIC.match(cell)) for cell in cells) > len(cells)
+    """Of texts that are `AsWritten`, such as hashes and what a file says, none is a number."""
+    return 2 * sum(bool(_NUMERIC.match(cell)) for cell in cells if not isinstance(cell, AsWritten)) > len(cells)

@@ -64,11 +64,13 @@ def test_every_element_of_the_section_is_closed(k_xx_section):
     assert parsed(k_xx_section).open == []
 
 
-def test_a_parameter_that_is_withheld_is_followed_by_its_reason():
+def test_why_a_parameter_is_withheld_is_said_once_with_the_results():
     parameters = dict(with_k_xx().augmented.parameters)
     parameters["kz"] = replace(parameters["kz"], value=None, reason="it differs between k_xx and k_yy")
     loop = replace(with_k_xx(), augmented=replace(with_k_xx().augmented, parameters=parameters))
-    assert "kz is not identifiable: it differs between k_xx and k_yy." in text_of(section(loop))
+    reason = "kz is not identifiable: it differs between k_xx and k_yy."
+    assert reason in text_of(chapter("results", subject(loop)))
+    assert reason not in text_of(section(loop))
 
 
 def test_where_nothing_was_found_the_section_says_so_and_shows_nothing():
@@ -161,6 +163,19 @@ def test_every_experiment_stands_with_its_rivals_its_decision_and_the_error_befo
 def test_the_head_of_the_page_says_what_was_found():
     assert any("traced to k_xx" in notice for notice in notices(subject(with_k_xx())))
     assert not any("traced" in notice for notice in notices(subject(clean())))
+
+
+def test_where_what_was_found_describes_the_data_no_doubt_of_the_declared_model_stands_in_front():
+    *others, notice = notices(replace(subject(with_k_xx()), calibration=with_k_xx().declared))
+    assert not any("does not describe" in each for each in others)
+    assert "With that taken into account the poses agree with the model" in notice
+    assert "uncertainties" not in notice
+
+
+def test_a_doubt_of_the_model_with_what_was_found_stands_in_front():
+    doubted = replace(with_k_xx(), augmented=replace(with_k_xx().augmented, lack_of_fit_p=1e-3))
+    *_, notice = notices(subject(doubted))
+    assert "still disagree with the model (lack of fit: p = 0.0010). The uncertainties rest on that" in notice
 
 
 def test_every_effect_of_the_catalogue_has_something_to_be_drawn_against():
