@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import reduce
-from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
@@ -132,9 +131,7 @@ def _where(tables: Sequence[Rows]) -> str:
     """Which rows come from which table."""
     ends = np.cumsum([table.rows_read for table in tables]).tolist()
     parts = [
-        Message(
-            "{first} to {last} from {source}", first=end - table.rows_read + 1, last=end, source=Path(table.source).name
-        )
+        Message("{first} to {last} from {source}", first=end - table.rows_read + 1, last=end, source=table.source)
         for table, end in zip(tables, ends, strict=True)
     ]
     return Message("rows {parts} are taken together", parts=series(parts))

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Sequence
 from datetime import date
+from pathlib import PurePath
 from typing import Any, Final
 
 from tumble.calibrations.core.verdict import Outcome
@@ -14,8 +15,7 @@ from tumble.calibrations.report.language import language, say
 from tumble.calibrations.report.statements import statements, states_expanded
 from tumble.calibrations.report.values import coverage, values
 from tumble.calibrations.report.verdicts import JUDGED, MARKS, headline
-from tumble.messages import AsWritten, Message, translate
-from tumble.numerals import localised
+from tumble.messages import AsWritten, Message
 
 _NUMERIC: Final = re.compile(r"[<>≈×]?\s*[-+−(]?\d")
 """How a cell begins that is set to the right."""
@@ -122,13 +122,25 @@ def _due(instrument: Instrument, measured: date | None) -> str:
 
 
 def _without_path(notice: str) -> str:
-    """A notice without the file that it begins with: that stands under provenance."""
-    source = notice.fields.get("source") if isinstance(notice, Message) else None
-    said = translate(notice, language()) if isinstance(notice, Message) else notice
-    if not source or not said.startswith(f"{source}: "):
+    """A notice without the file that it begins with, and others by their names alone: where they lay is provenance."""
+    if not isinstance(notice, Message):
         return say(notice)
-    rest = said.removeprefix(f"{source}: ")
-    return localised(rest[:1].upper() + rest[1:], language())
+    named = _named_shortly(notice)
+    said, source = say(named), named.fields.get("source")
+    rest = said.removeprefix(f"{source}: ") if source else said
+    return rest if rest == said else rest[:1].upper() + rest[1:]
+
+
+def _named_shortly(message: Message) -> Message:
+    """A message in which no file has the folder in which it lies."""
+    fields = {name: _short(name, field) for name, field in message.fields.items()}
+    return type(message).of_parts(message.template, message.plural, fields)
+
+
+def _short(name: str, field: object) -> object:
+    if isinstance(field, Message):
+        return _named_shortly(field)
+    return AsWritten(PurePath(str(field)).name) if name == "source" else field
 
 
 def _chapter(chapter: Chapter) -> dict[str, Any]:

@@ -134,6 +134,12 @@ def test_no_notice_begins_with_a_path():
     assert content["notices"] == ["Realisation numbers no passes"]
 
 
+def test_no_notice_has_the_folder_of_a_file():
+    rows = Message("1 to 2 from {source}", source="/data/store/run 1.mcap")
+    content = content_of(replace(reversed_(), warnings=(Message("rows {parts} are taken together", parts=rows),)))
+    assert content["notices"] == ["rows 1 to 2 from run 1.mcap are taken together"]
+
+
 def test_what_is_wrong_is_said_once():
     content = content_of(replace(reversed_(), warnings=("The disk was slow.", "The disk was slow.")))
     assert content["notices"] == ["The disk was slow."]

@@ -189,7 +189,7 @@ def test_alpha0_rests_on_kxy_until_the_unit_is_turned_over():
 def test_a_parameter_without_a_value_has_its_reason_in_the_table():
     text = section("results", flips_only())
     assert "not identifiable: its 95% interval is unbounded" in text
-    assert "A sweep in face-down, edge-back or end would settle it" in text
+    assert "A sweep in face down, on the other edge or on end would settle it" in text
     assert "given alpha0 = 0°" in text
 
 
