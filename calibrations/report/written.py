@@ -140,7 +140,7 @@ def _named_shortly(message: Message) -> Message:
 def _short(name: str, field: object) -> object:
     if isinstance(field, Message):
         return _named_shortly(field)
-    return AsWritten(PurePath(str(field)).name) if name == "source" else field
+    return AsWritten(PurePath(str(field)).name) if name in ("source", "path") else field
 
 
 def _chapter(chapter: Chapter) -> dict[str, Any]:
