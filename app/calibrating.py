@@ -11,8 +11,8 @@ from tumble.app.analysed import Traced
 from tumble.app.analysing import fit, trace
 from tumble.app.exits import Exit, JobError
 from tumble.app.jobs import find_job
-from tumble.app.kept_reports import keep, report_path
-from tumble.app.last_calibration import changes_since, other_lots
+from tumble.app.kept_reports import keep, of_record, report_path
+from tumble.app.last_calibration import other_lots
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
 from tumble.app.opening import check_not_lost
@@ -86,7 +86,7 @@ def report_record(
     `chain` are the experiments that closed the loop, if there were any. Raises `JobError`.
     """
     said = traced.report(record.id, record.revision, chain, contradictions_of(traced))
-    report = said.with_changes(changes_since(folder, record))
+    report = of_record(said, record, folder)
     keep(report, record, folder)
     reports.write(report, path, language)
 

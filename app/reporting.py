@@ -7,8 +7,10 @@ from tumble.app import reports
 from tumble.app.jobs import measured_at_stand
 from tumble.app.kept_reports import kept, report_path
 from tumble.app.opening import open_store
+from tumble.calibrations.records.errors import RecordError
+from tumble.calibrations.records.raw import file_sha256
 from tumble.calibrations.records.record import Record
-from tumble.messages import Language
+from tumble.messages import Language, Message
 
 
 def report_again(folder: Path, record_id: str, language: Language, path: Path | None = None) -> Path:
@@ -17,7 +19,7 @@ def report_again(folder: Path, record_id: str, language: Language, path: Path | 
     Raises
     ------
     InputError, RecordError, StoreError
-        There is no such record, or its raw files cannot be analysed.
+        There is no such record, or its raw files are not what they were or cannot be analysed.
     JobError
         The report cannot be written.
     """
@@ -28,11 +30,26 @@ def report_again(folder: Path, record_id: str, language: Language, path: Path | 
         reports.put(content, place)
         return place
     files = store.raw_files(record)
+    _check_unchanged(record, files)
     if measured_at_stand(record.method, files):
         _report_run(record, folder, place, language)
     else:
         _report_tables(record, files, folder, place, language)
     return place
+
+
+def _check_unchanged(record: Record, files: Sequence[Path]) -> None:
+    """Refuse a file that another record may have been made from; one that is gone is told of by whoever reads it."""
+    for path, sha256 in zip(files, record.provenance.source_hashes, strict=True):
+        if path.is_file() and file_sha256(path) != sha256:
+            raise RecordError(
+                Message(
+                    "record {record_id}: {path} is not as it was when the record was made, and no report of the "
+                    "record is written from it; put the file back that it was",
+                    record_id=record.id,
+                    path=path,
+                )
+            )
 
 
 def _report_run(record: Record, folder: Path, place: Path, language: Language) -> None:

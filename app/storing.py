@@ -6,8 +6,7 @@ from pathlib import Path
 from tumble.app import reports
 from tumble.app.exits import Exit, JobError
 from tumble.app.identity import program_identity
-from tumble.app.kept_reports import keep
-from tumble.app.last_calibration import changes_since
+from tumble.app.kept_reports import keep, of_record
 from tumble.app.methods import close_loop, method_called
 from tumble.app.section_report import table_report
 from tumble.calibrations.core.method import Method, Result
@@ -50,7 +49,7 @@ def report_tables(method: Method, result: Result, record: Record, folder: Path, 
     """Write the report of a record of tables in a language, and keep in its store what it says. Raises `JobError`."""
     name = Path(record.provenance.sources[-1].path).name
     said = table_report(method, result, record.provenance, name, record.id)
-    report = said.with_changes(changes_since(folder, record))
+    report = of_record(said, record, folder)
     keep(report, record, folder)
     reports.write(report, path, language)
 

@@ -68,6 +68,19 @@ def format_quantity(value: float, uncertainty: float | None, unit: str) -> str:
     return f"({text.value} ± {text.uncertainty}) {text.unit}"
 
 
+def format_sides(value: float, below: float, above: float, unit: str) -> str:
+    """`2.500001 (+0.000780 / -0.000064) V`: all end at one decimal place, which the smaller side of two decides.
+
+    No more than one place beyond that of their mean, so that a side of nearly nothing adds no digits.
+    """
+    mean = (below + above) / 2
+    exponent = _exponent(value, mean, unit)
+    finest = max(two_digit_places(side) for side in (below, above) if side > 0)
+    places = exponent + min(finest, two_digit_places(mean) + 1)
+    shown, minus, plus = (fixed(each / 10.0**exponent, places) for each in (value, below, above))
+    return f"{shown} (+{plus} / -{minus}) {prefixed(unit, exponent)}"
+
+
 def format_concise(value: float, uncertainty: float | None, unit: str) -> str:
     """`1.01643(18) V/g`: for a standard uncertainty (GUM 7.2.2)."""
     text = rounded(value, uncertainty, unit)

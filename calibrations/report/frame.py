@@ -11,7 +11,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.report.extent import Ends, extent, tick_texts, ticks
 from tumble.calibrations.report.language import say
 from tumble.calibrations.report.layers import Axis, Panel
-from tumble.calibrations.report.lettering import BOLD, LETTER, LINE, SIZE, text_at, to_fit
+from tumble.calibrations.report.lettering import BOLD, LETTER, LINE, SIZE, in_lines, text_at, to_fit
 from tumble.calibrations.report.marks import Place, marked
 
 _ROOM: Final = 5
@@ -30,6 +30,8 @@ class Frame:
     top: float
     wide: float
     high: float
+    title_lines: int = 1
+    """So many it has room for; two keep long titles readable."""
 
     @cached_property
     def ends(self) -> tuple[Ends, Ends]:
@@ -57,7 +59,12 @@ class Frame:
     @cached_property
     def above(self) -> float:
         """Above the axes: the title."""
-        return LINE + 4.0 if self.panel.title else 8.0
+        return LINE * self.title_lines + 4.0 if self.panel.title else 8.0
+
+    @property
+    def title_is_long(self) -> bool:
+        """Whether the title has to be set smaller to stand in one line."""
+        return bool(to_fit(say(self.panel.title), self.width, BOLD))
 
     @cached_property
     def width(self) -> float:
@@ -107,8 +114,10 @@ class Frame:
 
     def _labels(self) -> Iterator[str]:
         if self.panel.title:
-            title = say(self.panel.title)
-            yield text_at(0.0, -7.0, title, "start", f' font-weight="bold"{to_fit(title, self.width, BOLD)}')
+            lines = in_lines(say(self.panel.title), self.title_lines if self.title_is_long else 1)
+            smaller = to_fit(max(lines, key=len), self.width, BOLD)
+            for number, line in enumerate(reversed(lines)):
+                yield text_at(0.0, -7.0 - number * LINE, line, "start", f' font-weight="bold"{smaller}')
         if self.panel.x.label:
             label = say(self.panel.x.label)
             yield text_at(self.width / 2, self.height + 2 * LINE, label, "middle", to_fit(label, self.width))

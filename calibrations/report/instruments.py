@@ -11,6 +11,7 @@ from tumble.messages import Message
 _SINGLE: Final = {
     "head": Message("dividing head"),
     "daq": Message("DAQ"),
+    "exciter": Message("exciter"),
     "chamber": Message("temperature chamber"),
 }
 _NAMED: Final = ("positioners", "samplers")

@@ -6,7 +6,7 @@ from contextvars import ContextVar
 from typing import Final
 
 from tumble.messages import Language, Message
-from tumble.numerals import in_words_of, localised
+from tumble.numerals import localised
 
 _WRITTEN: Final[ContextVar[Language]] = ContextVar("_WRITTEN", default=Language.ENGLISH)
 
@@ -27,8 +27,10 @@ def language() -> Language:
 
 
 def say(text: str) -> str:
-    """A message or text in the language of the page, numbers and units included.
+    """A message or text in the language of the page that is written, numbers, units and names of effects included.
 
-    In English it is the text itself: names of documents (`head_scale`) stay what they are on the terminal.
+    A document, and the terminal in English, have `head_scale`; a reader of the page has words for it.
     """
-    return in_words_of(text, language()) if isinstance(text, Message) else localised(text, language())
+    if not isinstance(text, Message):
+        return localised(text, language())
+    return localised(text.worded(language()), language(), text.as_written())

@@ -18,6 +18,15 @@ def to_fit(text: str, room: float, letter: float = LETTER) -> str:
     return "" if size == SIZE else f' font-size="{size:.1f}"'
 
 
+def in_lines(text: str, lines: int) -> list[str]:
+    """A text in one line, or in two where there are words to divide, at the space nearest to its middle."""
+    spaces = [place for place, letter in enumerate(text) if letter == " "]
+    if lines == 1 or not spaces:
+        return [text]
+    middle = min(spaces, key=lambda place: abs(place - len(text) / 2))
+    return [text[:middle], text[middle + 1 :]]
+
+
 def text_at(x: float, y: float, text: str, anchor: str, more: str = "") -> str:
     """A text that begins, ends or has its middle (`anchor`) at a place."""
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{more}>{escape(text)}</text>'

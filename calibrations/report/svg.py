@@ -5,7 +5,7 @@ and `data-y` where the axes of a panel begin and end.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 from typing import Final
 
@@ -31,9 +31,13 @@ def drawn(figure: Sheet) -> Markup:
     top = LINE * max((entry.row + 1 for entry in legend), default=0)
     wide = (figure.width - (_SCALE_WIDTH if figure.scale else 0.0)) / figure.columns
     parts = [entry.svg for entry in legend]
-    for number, panel in enumerate(figure.panels):
-        row, column = divmod(number, figure.columns)
-        parts.append(Frame(panel, column * wide, top + row * figure.height, wide, figure.height).svg)
+    frames = [
+        Frame(panel, column * wide, top + row * figure.height, wide, figure.height)
+        for number, panel in enumerate(figure.panels)
+        for row, column in (divmod(number, figure.columns),)
+    ]
+    lines = 2 if any(frame.title_is_long for frame in frames) else 1
+    parts += [replace(frame, title_lines=lines).svg for frame in frames]
     if figure.scale:
         parts.append(_scale(*figure.scale, figure.width - _SCALE_WIDTH, top + 20.0, figure.height - 60.0))
     return Markup(

@@ -1,5 +1,6 @@
 """The table of the values to use: a line for each parameter, every cell as text."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
@@ -7,7 +8,14 @@ from typing import TYPE_CHECKING, Final
 from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
-from tumble.calibrations.core.quantities import format_limits, format_limits_beside, format_quantity, rounded
+from tumble.calibrations.core.quantities import (
+    format_concise,
+    format_limits,
+    format_limits_beside,
+    format_quantity,
+    format_sides,
+    rounded,
+)
 from tumble.calibrations.core.verdict import Judgement, Outcome
 from tumble.calibrations.core.view import Quantity
 from tumble.calibrations.report.bars import drawn_bar
@@ -95,21 +103,20 @@ def limits_text(parameter: Parameter, check: LimitCheck) -> str:
 
 
 def stated(parameter: Parameter) -> str:
-    """Value and expanded uncertainty; the value alone where no interval is known."""
+    """Value and expanded uncertainty; where no interval is known, the standard uncertainty in brackets."""
     assert parameter.value is not None, "asked of a parameter that has a value"
     if parameter.interval_95 is None:
-        return format_quantity(parameter.value, parameter.standard_uncertainty, parameter.unit)
+        return format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)
     return expanded(parameter.value, parameter.interval_95, parameter.unit)
 
 
 def expanded(value: float, interval: tuple[float, float], unit: str) -> str:
     """Value and expanded uncertainty; with both sides where they differ in the digits shown."""
     low, high = interval
-    text = rounded(value, (high - low) / 2, unit)
     below, above = (rounded(value, side, unit) for side in (value - low, high - value))
-    if not text.uncertainty or below.uncertainty == above.uncertainty:
+    if not math.isfinite(high - low) or below.uncertainty == above.uncertainty:
         return format_quantity(value, (high - low) / 2, unit)
-    return f"{text.value} (+{above.uncertainty} / -{below.uncertainty}) {text.unit}"
+    return format_sides(value, value - low, high - value, unit)
 
 
 def coverage(parameter: Parameter) -> str:

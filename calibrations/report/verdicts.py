@@ -18,8 +18,11 @@ MARKS: Final = {Outcome.PASS: "✓", Outcome.FAIL: "✗", Outcome.NOT_DECIDED: "
 """Shapes beside the colours."""
 
 
+_WITHOUT: Final = Message("No limits were stated")
+
+
 def headline(verdict: Verdict) -> str:
-    """What is decided, in a few words; empty where there are no limits."""
+    """What is decided, in a few words."""
     outside, undecided = verdict.named(Outcome.FAIL), verdict.named(Outcome.NOT_DECIDED)
     if verdict.outcome is Outcome.PASS:
         return Message("Inside the limits")
@@ -31,7 +34,7 @@ def headline(verdict: Verdict) -> str:
         )
     if outside:
         return Message("Outside the limits: {outside}", outside=series(outside))
-    return Message("Not decided: {undecided}", undecided=series(undecided)) if undecided else ""
+    return Message("Not decided: {undecided}", undecided=series(undecided)) if undecided else _WITHOUT
 
 
 def decided(parameter: Parameter, check: LimitCheck, judgement: Judgement) -> str:

@@ -2,8 +2,8 @@
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 from datetime import date
+from pathlib import PurePath
 from typing import Any, Final
 
 from tumble.calibrations.core.verdict import Outcome
@@ -12,10 +12,10 @@ from tumble.calibrations.report.dates import dated, day_of
 from tumble.calibrations.report.document import Front, Report
 from tumble.calibrations.report.instruments import Instrument, instruments, laboratory
 from tumble.calibrations.report.language import language, say
-from tumble.calibrations.report.values import values
+from tumble.calibrations.report.statements import statements, states_expanded
+from tumble.calibrations.report.values import coverage, values
 from tumble.calibrations.report.verdicts import JUDGED, MARKS, headline
-from tumble.messages import Message, translate
-from tumble.numerals import localised
+from tumble.messages import AsWritten, Message
 
 _NUMERIC: Final = re.compile(r"[<>≈×]?\s*[-+−(]?\d")
 """How a cell begins that is set to the right."""
@@ -24,7 +24,6 @@ _LABELS: Final = {
     "sections": Message("Sections"),
     "values": Message("Values to use"),
     "quantity": Message("Quantity"),
-    "value": Message("Value ± U"),
     "limits": Message("Limits"),
     "verdict": Message("Verdict"),
     "instruments": Message("Instruments"),
@@ -65,19 +64,21 @@ def _front(front: Front) -> dict[str, Any]:
         "headline": " ".join(filter(None, [MARKS[outcome], say(headline(front.verdict))])),
         "judged": "" if outcome is Outcome.NO_LIMITS else say(JUDGED[front.verdict.judged]),
         "decided": [
-            say(replace(each, remedy="").sentence)
+            say(Message("{name}: {reason}", name=each.name, reason=each.reason))
             for each in front.verdict.parameters
-            if each.outcome is not Outcome.PASS
+            if each.outcome is Outcome.NOT_DECIDED
         ],
         "facts": [(say(name), text) for name, text in _facts(front).items() if text],
         "values": [
             {name: text if name == "bar" else say(text) for name, text in vars(each).items()} for each in values(front)
         ],
         "limited": bool(front.limits),
+        "covered": any(coverage(each) for each in front.parameters.values()),
+        "stated_as": say(Message("Value ± U") if states_expanded(front) else Message("Value")),
         "picture": front.picture
         and {"svg": str(front.picture.figure.__html__()), "caption": say(front.picture.caption)},
         "instruments": _instruments(front),
-        "statements": [say(each) for each in (*_STATEMENTS, *([_CHANGES] if front.changes else []))],
+        "statements": [say(each) for each in statements(front)],
     }
 
 
@@ -89,22 +90,15 @@ def _facts(front: Front) -> dict[str, str]:
         Message("Operator"): provenance.operator,
         Message("Programme"): provenance.programme_name,
         Message("Stand"): provenance.stand_name,
-        Message("Record"): front.record_id,
-        Message("Revision"): str(front.revision) if front.record_id else "",
+        Message("Record"): _record(front),
     }
 
 
-_STATEMENTS: Final = (
-    Message(
-        "U is the expanded uncertainty for a coverage probability of 95%, k times the standard uncertainty; where both "
-        "sides differ, each is stated. g is local gravity."
-    ),
-    Message("The results relate only to the unit named above, as it was when it was measured."),
-)
-_CHANGES: Final = Message(
-    "Below a value stands its change since the last calibration of the unit by the same method that has a value of the "
-    "same definition; its ± is the expanded uncertainty of the difference, both values taken as independent."
-)
+def _record(front: Front) -> str:
+    """The record and, behind a comma, its revision where it is not the first."""
+    if front.revision == 1 or not front.record_id:
+        return front.record_id
+    return say(Message("{record}, revision {revision}", record=AsWritten(front.record_id), revision=front.revision))
 
 
 def _instruments(front: Front) -> dict[str, Any] | None:
@@ -128,13 +122,25 @@ def _due(instrument: Instrument, measured: date | None) -> str:
 
 
 def _without_path(notice: str) -> str:
-    """A notice without the file that it begins with: that stands under provenance."""
-    source = notice.fields.get("source") if isinstance(notice, Message) else None
-    said = translate(notice, language()) if isinstance(notice, Message) else notice
-    if not source or not said.startswith(f"{source}: "):
+    """A notice without the file that it begins with, and others by their names alone: where they lay is provenance."""
+    if not isinstance(notice, Message):
         return say(notice)
-    rest = said.removeprefix(f"{source}: ")
-    return localised(rest[:1].upper() + rest[1:], language())
+    named = _named_shortly(notice)
+    said, source = say(named), named.fields.get("source")
+    rest = said.removeprefix(f"{source}: ") if source else said
+    return rest if rest == said else rest[:1].upper() + rest[1:]
+
+
+def _named_shortly(message: Message) -> Message:
+    """A message in which no file has the folder in which it lies."""
+    fields = {name: _short(name, field) for name, field in message.fields.items()}
+    return type(message).of_parts(message.template, message.plural, fields)
+
+
+def _short(name: str, field: object) -> object:
+    if isinstance(field, Message):
+        return _named_shortly(field)
+    return AsWritten(PurePath(str(field)).name) if name in ("source", "path") else field
 
 
 def _chapter(chapter: Chapter) -> dict[str, Any]:
@@ -148,17 +154,28 @@ def _chapter(chapter: Chapter) -> dict[str, Any]:
 
 def written_section(section: Section) -> dict[str, Any]:
     """A section in the language of the page that is written."""
-    rows = [[say(cell) for cell in row] for row in section.rows]
+    headings, table = _without_empty(section.headings, section.rows)
+    rows = [[say(cell) for cell in row] for row in table]
     return {
         "title": say(section.title),
         "lines": [say(line) for line in section.lines],
         "svg": str(section.figure().__html__()) if section.figure else "",
         "caption": say(section.caption),
-        "headings": [say(heading) for heading in section.headings],
+        "headings": [say(heading) for heading in headings],
         "rows": rows,
-        "right": _set_right(rows),
+        "right": _set_right(table),
         "code": section.code,
     }
+
+
+def _without_empty(
+    headings: Sequence[str], rows: Sequence[Sequence[str]]
+) -> tuple[Sequence[str], Sequence[Sequence[str]]]:
+    """A table without the columns in which no line has anything; the first names the line."""
+    filled = {place for row in rows for place, cell in enumerate(row) if cell}
+    kept = [place for place in range(_widest(rows)) if place == 0 or place in filled]
+    of_headings = [headings[place] for place in kept if place < len(headings)]
+    return of_headings, [[row[place] for place in kept if place < len(row)] for row in rows]
 
 
 def _set_right(rows: Sequence[Sequence[str]]) -> list[bool]:
@@ -172,4 +189,5 @@ def _widest(rows: Sequence[Sequence[str]]) -> int:
 
 
 def _mostly_numbers(cells: Sequence[str]) -> bool:
-    return 2 * sum(bool(_NUMERIC.match(cell)) for cell in cells) > len(cells)
+    """Of texts that are `AsWritten`, such as hashes and what a file says, none is a number."""
+    return 2 * sum(bool(_NUMERIC.match(cell)) for cell in cells if not isinstance(cell, AsWritten)) > len(cells)

@@ -7,6 +7,10 @@ import pytest
 from app_jobs import tumble
 
 from tumble.app import analysing
+from tumble.app.kept_reports import of_record
+from tumble.app.opening import open_store
+from tumble.calibrations.core.parameter import Parameter
+from tumble.calibrations.report.document import Front, Report
 
 
 @pytest.fixture
@@ -73,3 +77,24 @@ def test_what_was_kept_of_another_record_does_not_count(copied, unanalysed, tmp_
 def test_once_the_raw_file_has_changed_it_does_not_count_either(copied, unanalysed, tmp_path):
     copied.recording.write_bytes(copied.recording.read_bytes()[:-100])
     assert report(copied, tmp_path / "again.html").status != 0
+
+
+def test_a_raw_file_that_was_exchanged_gives_no_report_of_the_record(copied, tmp_path):
+    copied.recording.write_bytes(copied.recording.read_bytes() + b"\0")
+    ran = report(copied, tmp_path / "again.html")
+    assert ran.status == 2
+    assert "is not as it was when the record was made" in ran.err
+    assert not (tmp_path / "again.html").exists()
+
+
+@pytest.mark.parametrize(("part", "told"), [(0.0, False), (0.001, False), (0.02, True)])
+def test_values_that_are_not_those_of_the_record_are_told_of(copied, part, told):
+    record = open_store(copied.store).get(copied.document["record"])
+    stated = {
+        name: Parameter(name=name, unit=held.unit, value=held.value + part * held.standard_uncertainty)
+        for name, held in record.values.items()
+        if held.value is not None
+    }
+    front = Front(provenance=record.provenance, parameters=stated, verdict=record.verdict)
+    notices = of_record(Report(kind="", title="", front=front), record, copied.store).notices
+    assert [each.startswith("The record holds other values of u0, kx") for each in notices] == [True] * told

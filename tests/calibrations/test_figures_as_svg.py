@@ -140,10 +140,29 @@ def test_labels_stand_in_the_legend_once():
     assert texts(svg).count("rows") == 1
 
 
-def test_a_title_longer_than_its_panel_is_set_smaller():
-    svg = Figure(name="f", description="d", panels=(Panel(layers=(), title="word " * 30),), width=200.0).__html__()
-    (title,) = [each for each in ET.fromstring(svg).iter() if each.get("font-weight") == "bold"]
-    assert float(title.get("font-size")) < 5.0
+def titled(*texts):
+    panels = tuple(Panel(layers=(), title=text) for text in texts)
+    return Figure(name="f", description="d", panels=panels, width=200.0 * len(texts), columns=len(texts)).__html__()
+
+
+def titles(*texts):
+    return [each for each in ET.fromstring(titled(*texts)).iter() if each.get("font-weight") == "bold"]
+
+
+def test_a_title_longer_than_its_panel_stands_in_two_lines():
+    below, above = titles("face up, turned by 90° (240)")
+    assert (above.text, below.text) == ("face up, turned", "by 90° (240)")
+    assert (above.get("font-size"), below.get("font-size")) == (None, None)
+
+
+def test_a_title_longer_than_two_lines_is_set_smaller():
+    assert all(float(line.get("font-size")) < 8.0 for line in titles("word " * 30))
+
+
+def test_beside_a_long_title_a_short_one_leaves_as_much_room():
+    frames = re.findall(r'class="panel" transform="translate\([\d.]+ ([\d.]+)\)"', titled("short", "long " * 8))
+    assert len(set(frames)) == 1
+    assert [each.text for each in titles("short one", "long " * 8)].count("short one") == 1
 
 
 def test_panels_on_one_scale_end_alike():

@@ -37,7 +37,7 @@ def test_there_is_no_curve_where_the_values_do_not_give_the_fit_back():
 def test_a_plot_has_its_own_id_and_is_drawn_for_a_blunt_result():
     plot = ET.fromstring(fit_figure(flips_only()).__html__())
     assert [element.get("id") for element in plot.iter() if element.get("id")] == ["figure-fit"]
-    assert plot.get("aria-label") == "Output against head angle with the fitted model, for face-up, edge"
+    assert plot.get("aria-label") == "Output against head angle with the fitted model, for face up, on edge"
 
 
 def test_an_odd_number_of_mounts_leaves_no_empty_panel():

@@ -10,18 +10,21 @@ from test_report_page import text_of
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
-from tumble.calibrations.core.verdict import Outcome
+from tumble.calibrations.core.verdict import Model, Outcome, Verdict
+from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.report import calibration_report
 from tumble.calibrations.methods.triad.model import NAMES
 from tumble.calibrations.methods.triad.quantities import QUANTITIES
 from tumble.calibrations.report.bars import drawn_bar
 from tumble.calibrations.report.dates import dated
+from tumble.calibrations.report.document import Front, Report
 from tumble.calibrations.report.instruments import instruments
 from tumble.calibrations.report.language import written_in
 from tumble.calibrations.report.limit_bar import limit_bar
 from tumble.calibrations.report.paper import pdf
-from tumble.calibrations.report.written import written
-from tumble.messages import Language, Message
+from tumble.calibrations.report.values import expanded
+from tumble.calibrations.report.written import written, written_section
+from tumble.messages import AsWritten, Language, Message
 
 STAND = {
     "name": "bench-1",
@@ -131,6 +134,12 @@ def test_no_notice_begins_with_a_path():
     assert content["notices"] == ["Realisation numbers no passes"]
 
 
+def test_no_notice_has_the_folder_of_a_file():
+    rows = Message("1 to 2 from {source}", source="/data/store/run 1.mcap")
+    content = content_of(replace(reversed_(), warnings=(Message("rows {parts} are taken together", parts=rows),)))
+    assert content["notices"] == ["rows 1 to 2 from run 1.mcap are taken together"]
+
+
 def test_what_is_wrong_is_said_once():
     content = content_of(replace(reversed_(), warnings=("The disk was slow.", "The disk was slow.")))
     assert content["notices"] == ["The disk was slow."]
@@ -181,3 +190,73 @@ def test_figures_on_paper_are_vectors():
 def test_the_same_content_gives_the_same_bytes():
     content = content_of(face_up())
     assert pdf(content) == pdf(content)
+
+
+def front_alone(content):
+    return {**content, "chapters": []}
+
+
+@pytest.mark.parametrize("language", list(Language))
+@pytest.mark.parametrize("calibration", [reversed_, flips_only])
+def test_from_the_laboratory_to_the_signature_it_is_one_page(calibration, language):
+    warnings = tuple(f"The disk was slow in the run of {day} November." for day in range(10))
+    content = content_of(replace(calibration(), warnings=warnings), LIMITS, language, stand=STAND)
+    assert pages_of(pdf(front_alone(content))) == 1
+
+
+def test_a_picture_for_which_there_is_no_room_follows_the_signature():
+    warnings = tuple(f"The disk was slow in the run of {day} November." for day in range(24))
+    content = front_alone(content_of(replace(flips_only(), warnings=warnings), LIMITS, stand=STAND))
+    assert pages_of(pdf(content)) == 2
+    assert pages_of(pdf({**content, "front": {**content["front"], "picture": None}})) == 1
+
+
+def test_a_word_longer_than_its_place_is_broken():
+    long, short = ({**front_alone(content_of(reversed_())), "title": text} for text in ("W" * 100, "W"))
+    assert b"WWW" not in pdf(short)
+    assert pages_of(pdf(long)) == 1
+
+
+def of_standard_uncertainty():
+    parameter = Parameter(name="offset", unit="deg", value=-0.18, standard_uncertainty=0.11)
+    return Front(
+        provenance=provenance(), parameters={"offset": parameter}, verdict=Verdict(judged=Model.DECLARED, parameters=())
+    )
+
+
+def test_a_standard_uncertainty_is_not_stated_as_an_expanded_one():
+    front = written(Report(kind="", title="", front=of_standard_uncertainty()))["front"]
+    assert (front["stated_as"], front["values"][0]["value"], front["covered"]) == ("Value", "-0.18(11)°", False)
+    assert front["statements"][0].startswith("In brackets stands the standard uncertainty")
+
+
+def test_what_g_is_stands_only_where_a_unit_holds_it():
+    of_angle = written(Report(kind="", title="", front=of_standard_uncertainty()))["front"]
+    assert not any("gravity" in each for each in of_angle["statements"])
+    assert any("g is local gravity" in each for each in front_of(reversed_())["statements"])
+
+
+def test_both_sides_of_an_interval_end_at_the_place_of_the_smaller():
+    assert expanded(2.5000011, (2.499937, 2.5007811), "V") == "2.500001 (+0.000780 / -0.000064) V"
+    assert expanded(1.0, (1.0, 1.4), "V") == "1.00 (+0.40 / -0.00) V"
+
+
+def test_what_shakes_a_unit_is_among_the_instruments():
+    stand = {"exciter": {"driver": "generator", "serial": "G-1"}, "samplers": {"card": {"driver": "can"}}}
+    assert [each.name for each in instruments(stand)] == ["exciter", "card"]
+
+
+def test_a_value_outside_its_limits_is_not_said_again_with_more_digits():
+    assert front_of(reversed_(), LIMITS)["decided"] == []
+
+
+def test_a_column_in_which_nothing_stands_is_left_out():
+    section = Section(title="", headings=("", "Value", "Condition"), rows=[("kx", "1", ""), ("ky", "2", "")])
+    shown = written_section(section)
+    assert (shown["headings"], shown["rows"]) == (["", "Value"], [["kx", "1"], ["ky", "2"]])
+
+
+def test_what_a_file_says_is_no_number():
+    as_written = Section(title="", rows=[("hash", AsWritten("12ab")), ("limits", AsWritten("5"))])
+    assert written_section(as_written)["right"] == [False, False]
+    assert written_section(Section(title="", rows=[("a", "12"), ("b", "5")]))["right"] == [False, True]

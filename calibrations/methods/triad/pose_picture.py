@@ -32,6 +32,8 @@ _CASING: Final = 0.045
 _WIDTH: Final = 3.4
 _HEIGHT: Final = 3.1
 _IN_ROW: Final = 8
+_PAGE_MM: Final = 174.0
+"""Of what stands on a page."""
 MOST: Final = 48
 """So many are drawn at once."""
 
@@ -68,7 +70,8 @@ def pose_pictures(positions: Sequence[tuple[float, float]]) -> Markup:
         )
     title = Message("Pictures of the positions")
     return Markup(
-        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-label="{escape(title)}" width="100%" '
+        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-label="{escape(title)}" width="{_PAGE_MM:g}mm" '
+        f'style="max-width:100%" '
         f'viewBox="0 0 {_IN_ROW * _WIDTH:g} {rows * height:g}">{"".join(parts)}</svg>'
     )
 

@@ -95,7 +95,7 @@ def closure_sections(subject: Subject) -> Iterator[Section]:
             "u0 as each flip alone gives it, with one (thick) and two (thin) standard uncertainties of the scatter of "
             "repeats."
         ),
-        headings=(Message("Flip"), Message("u0 (standard uncertainty)"), Message("minus joint fit")),
+        headings=(Message("Flip"), Message("u0 (standard uncertainty)"), Message("minus the declared model")),
         rows=[
             (axis, format_concise(mean.u0_v, mean.standard_uncertainty_v, "V"),
              format_number(mean.u0_v - mean.expected_v, "V", 2))

@@ -10,7 +10,6 @@ from tumble.calibrations.methods.dividing_head.loop.sentences import (
     comparisons,
     findings_of,
     headline,
-    not_identifiable,
 )
 from tumble.calibrations.methods.dividing_head.report.abscissa import Abscissa
 from tumble.calibrations.methods.dividing_head.report.chain import chain_sections
@@ -105,10 +104,6 @@ def _caption(abscissa: Abscissa, seen: Sequence[str]) -> Message:
 def _compared(loop: Loop) -> Section:
     return Section(
         title="",
-        lines=[
-            Message("{name} is not identifiable: {reason}.", name=name, reason=reason)
-            for name, reason in (not_identifiable(loop) if comparisons(loop) else ())
-        ],
         caption=Message(
             "Before and after. The change of a parameter stands also in its standard uncertainties u before: it shows "
             "whether the effect was covered."

@@ -42,9 +42,13 @@ PARTS: Final = (
     ),
     Part(anchor="loop", title=Message("What the model left unexplained"), sections=loop_sections),
     Part(anchor="stand", title=Message("Corrections of the stand"), sections=stand_sections),
-    Part(anchor="residuals", title=Message("Residuals"), sections=evidence.residual_sections),
+    Part(anchor="residuals", title=Message("Residuals of the declared model"), sections=evidence.residual_sections),
     Part(anchor="closure", title=Message("Closure of the flips"), sections=evidence.closure_sections),
-    Part(anchor="quality", title=Message("Noise, lack of fit and rows"), sections=evidence.quality_sections),
+    Part(
+        anchor="quality",
+        title=Message("Noise and lack of fit of the declared model; rows"),
+        sections=evidence.quality_sections,
+    ),
     Part(anchor="budget", title=Message("Uncertainty budget"), sections=uncertainty.budget_sections),
     Part(anchor="correlation", title=Message("Correlation"), sections=uncertainty.correlation_sections),
     Part(

@@ -17,7 +17,7 @@ from tumble.calibrations.core.verdict import Judgement, Model, Outcome
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.analysis import lack_of_fit_warning
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
-from tumble.calibrations.methods.dividing_head.loop.sentences import found_sentences
+from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons, found_sentences, headline
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.report.values import coverage, expanded, limits_text
 from tumble.calibrations.report.verdicts import decided
@@ -53,30 +53,26 @@ def notices(subject: Subject) -> list[str]:
         found.append(Message("The recording is incomplete: the result rests on the rows before it was cut off."))
     said_below = lack_of_fit_warning(calibration.observations.source, calibration.lack_of_fit_p)
     found.extend(each for each in dict.fromkeys(calibration.warnings) if each != said_below)
-    lacking = [name for name, parameter in subject.use.calibration.parameters.items() if parameter.value is None]
-    if lacking:
-        found.append(
-            Message.counted(
-                "{names} is not identifiable from these data; the table of results says why.",
-                "{names} are not identifiable from these data; the table of results says why.",
-                count=len(lacking),
-                names=series(lacking),
-            )
-        )
-    if calibration.lack_of_fit_p is not None and calibration.lack_of_fit_p < LACK_OF_FIT_P:
-        found.append(
-            Message(
-                "The declared model does not describe the data: the poses disagree with it by more than the repeats "
-                "explain (p {p_value}). The uncertainties rest on that disagreement.",
-                p_value=equals(calibration.lack_of_fit_p),
-            )
-        )
-    if subject.loop and (traced := found_sentences(subject.loop)):
-        below = Message("What that does to the parameters is said below the results.")
-        found.append(Message.joined(" ", [*traced, below]))
+    found.extend(_of_the_model(subject))
     if subject.provenance.git_dirty:
         found.append(Message("The program that computed this had changes that are in no commit."))
     return found
+
+
+def _of_the_model(subject: Subject) -> Iterator[str]:
+    """Whether the model of the values to use describes the data, and what was found beyond the declared one."""
+    loop, p_value = subject.loop, subject.use.calibration.lack_of_fit_p
+    unfit, otherwise = p_value is not None and p_value < LACK_OF_FIT_P, bool(loop and comparisons(loop))
+    if p_value is not None and unfit and not otherwise:
+        yield Message(
+            "The declared model does not describe the data: the poses disagree with it by more than the repeats "
+            "explain (p {p_value}). The uncertainties rest on that disagreement.",
+            p_value=equals(p_value),
+        )
+    if loop and found_sentences(loop):
+        rest = [Message("The uncertainties rest on that disagreement.")] if unfit and otherwise else []
+        below = Message("What that does to the parameters is said below the results.")
+        yield Message.joined(" ", [headline(loop), *rest, below])
 
 
 def results(subject: Subject) -> dict[str, Any]:
@@ -104,7 +100,11 @@ def result_sections(subject: Subject) -> Iterator[Section]:
         lines=[
             *([_AUGMENTED] if found["augmented"] else []),
             *map(_why_none, (row for row in rows if row.reason)),
-            *(each.sentence for each in subject.verdict.parameters if each.remedy),
+            *(
+                Message("What would decide {name}: {remedy}.", name=each.name, remedy=each.remedy)
+                for each in subject.verdict.parameters
+                if each.remedy
+            ),
         ],
         caption=Message(
             "± is the expanded uncertainty for a coverage probability of 95%, k times the standard uncertainty u, or "
