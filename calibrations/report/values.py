@@ -98,7 +98,7 @@ def stated(parameter: Parameter) -> str:
     """Value and expanded uncertainty; the value alone where no interval is known."""
     assert parameter.value is not None, "asked of a parameter that has a value"
     if parameter.interval_95 is None:
-        return format_quantity(parameter.value, parameter.standard_uncertainty, parameter.unit)
+        return format_quantity(parameter.value, None, parameter.unit)
     return expanded(parameter.value, parameter.interval_95, parameter.unit)
 
 
