@@ -86,7 +86,7 @@ def painted_contrast(part: QWidget) -> float:
     part.render(image, QPoint(), QRegion(), QWidget.RenderFlag.DrawChildren)
     edge = _EDGE_PX * SHARPNESS
     colours, ground = _colours(image.copy(image.rect().adjusted(edge, edge, -edge, -edge)))
-    return max(contrast(ground, int(each)) for each in colours)
+    return float(contrast(ground, colours).max())
 
 
 def ground_of(part: QWidget) -> QColor:
@@ -102,19 +102,17 @@ def _colours(image: QImage) -> tuple[np.ndarray, int]:
     return colours, int(colours[counts.argmax()])
 
 
-def contrast(one: int, other: int) -> float:
-    """Of two colours, as 0xRRGGBB (WCAG 2.1, contrast ratio)."""
-    light, dark = sorted((_luminance(one), _luminance(other)), reverse=True)
-    return (light + 0.05) / (dark + 0.05)
+def contrast(one: int | np.ndarray, other: int | np.ndarray) -> np.ndarray:
+    """Of colours, as 0xRRGGBB (WCAG 2.1, contrast ratio)."""
+    first, second = _luminance(one), _luminance(other)
+    return (np.maximum(first, second) + 0.05) / (np.minimum(first, second) + 0.05)
 
 
-def _luminance(colour: int) -> float:
+def _luminance(colours: int | np.ndarray) -> np.ndarray:
     """WCAG 2.1, relative luminance."""
-    parts = [
-        part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4
-        for part in ((colour >> shift & 255) / 255 for shift in (16, 8, 0))
-    ]
-    return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
+    red, green, blue = ((np.asarray(colours) >> shift & 255) / 255 for shift in (16, 8, 0))
+    parts = (np.where(part <= 0.03928, part / 12.92, ((part + 0.055) / 1.055) ** 2.4) for part in (red, green, blue))
+    return sum(weight * part for weight, part in zip((0.2126, 0.7152, 0.0722), parts, strict=True))
 
 
 def _with_text(window: QWidget) -> Iterator[QWidget]:

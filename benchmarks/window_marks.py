@@ -40,7 +40,7 @@ class Mark:
     @property
     def contrast(self) -> float:
         """How far it stands out."""
-        return contrast(self.colour, self.ground)
+        return float(contrast(self.colour, self.ground))
 
 
 def faint_marks(window: QWidget) -> list[str]:
@@ -59,7 +59,10 @@ def marks(part: QWidget, painted_in: Colours | None = None) -> Iterator[Mark]:
     chosen, pixels = painted_in or colours(part), _painted(part)
     for name in {chosen.ink, chosen.pale, chosen.accent, chosen.now, chosen.bad, chosen.good, *chosen.data}:
         colour = int(name.removeprefix("#"), 16)
-        labels, _ = ndimage.label(pixels == colour, _EVERY_NEIGHBOUR)
+        painted = pixels == colour
+        if not painted.any():
+            continue
+        labels, _ = ndimage.label(painted, _EVERY_NEIGHBOUR)
         for number, place in enumerate(ndimage.find_objects(labels), 1):
             wide = tuple(slice(max(side.start - _AROUND_PX, 0), side.stop + _AROUND_PX) for side in place)
             mask = labels[wide] == number

@@ -8,6 +8,7 @@ import argparse
 import os
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from itertools import product
@@ -199,6 +200,7 @@ class Tour:
     def _wait(self, condition: Callable[[], bool]) -> None:
         while not condition():
             QApplication.processEvents()
+            time.sleep(1e-3)  # whoever works in a thread has Python meanwhile
 
 
 def pale(window: MainWindow) -> list[str]:

@@ -15,7 +15,8 @@ and the command line; `window` is the operator's window.
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from tumble.app.notebook import Picture, Result, allan, calibrate, close_loop, fit, plan, records, reduce, run
+    from tumble.app.notebook import allan, calibrate, close_loop, fit, plan, records, reduce, run
+    from tumble.app.notebook_result import Picture, Result
 
 __all__ = ["Picture", "Result", "allan", "calibrate", "close_loop", "fit", "plan", "records", "reduce", "run"]
 

@@ -37,6 +37,9 @@ timeout_s = 300.0
 [[procedure]]
 positions = [[90, 0], [0, 90], [-45, 45], [180, 0]]
 """
+ONE_SOAK: Final = PROGRAMME.replace("[25, 24]", "[25]")
+WITHOUT_A_SOAK: Final = PROGRAMME.replace("temperatures_degC = [25, 24]\n", "")
+"""The same in less time, for a fault in the first soak, and for one in a dwell."""
 SPEED: Final = 40.0
 DURING_S: Final = 30.0
 """In the first soak, by the stand's clock."""
@@ -98,7 +101,7 @@ def cases(pair: str) -> list[Case]:
     return found + [Case(pair=pair, device="chamber", kind=kind, soaking=both) for kind in chamber for both in (0, 1)]
 
 
-def carried_out(case: Case, folder: Path, speed: float = SPEED) -> Result:
+def carried_out(case: Case, folder: Path, programme: str = PROGRAMME) -> Result:
     """Have one fault happen in a run, and go on until the run is complete."""
     completed: list[int] = []
 
@@ -106,17 +109,17 @@ def carried_out(case: Case, folder: Path, speed: float = SPEED) -> Result:
         if isinstance(event, PointCompleted):
             completed.append(event.point.index)
 
-    with served(folder, "\n".join((PAIRS[case.pair], SCANNER, CHAMBER)), PROGRAMME, speed) as stand:
+    with served(folder, "\n".join((PAIRS[case.pair], SCANNER, CHAMBER)), programme, SPEED) as stand:
         for fault in case.faults():
             stand.faults.add(fault)
         recording = folder / "run.mcap"
         outcome = _connected(stand, lambda connected: run(stand.job, connected, recording, [listen]))
         with stand.shared.lock:
             resting = not any(axis.status().moving for axis in stand.shared.world.positioners.values())
-        resumed, last = 0, outcome
-        while last.reason is not FinishReason.COMPLETED and resumed < _MOST:
+        resumed, last, most = 0, outcome, 1 if case.other_unit else _MOST
+        while last.reason is not FinishReason.COMPLETED and resumed < most:
             resumed += 1
-            stand.clock.sleep(speed)  # until what lasted is over
+            stand.clock.sleep(SPEED)  # until what lasted is over
             last = _connected(stand, lambda connected: resume(find(recording), stand.job, connected, [listen], 1.0))
         whole = last.reason is FinishReason.COMPLETED
         wanted = {*completed, *(range(stand.job.plan().dwells) if whole else ())}

@@ -23,6 +23,8 @@ class LinearFit(Quantified):
     parameters: Mapping[str, Quantity]
     together: FloatArray
     """Covariance of parameters and coefficients together, in that order."""
+    degrees_of_freedom: int
+    """Of the scatter of the rows: as many as were not fitted away."""
 
 
 def fit_linear(table: Table, trace: Trace, units: Mapping[str, str]) -> LinearFit:
@@ -58,6 +60,7 @@ def fit_linear(table: Table, trace: Trace, units: Mapping[str, str]) -> LinearFi
             for place, (name, unit) in enumerate(units.items())
         },
         together=scatter,
+        degrees_of_freedom=max(table.rows - len(theta), 0),
     )
 
 

@@ -1,12 +1,13 @@
 """Closing the loop on a table whose declared model is linear: what is left, and what that does to the parameters."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 import numpy as np
 
 from tumble.calibrations.core.arrays import FloatArray
+from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.parameter import ModelFit, Parameter
 from tumble.calibrations.tracing.effect import Quantity, Structure
 from tumble.calibrations.tracing.explained import Explained, unless_rivals_differ
@@ -66,7 +67,7 @@ def explain_linear(table: _T, units: Mapping[str, str]) -> LinearExplained[_T]:
 
 def stated(explained: LinearExplained[Any], fit: LinearFit, units: Mapping[str, str]) -> dict[str, Parameter]:
     """Parameters with what was found, but those that depend on which of two near rivals is true."""
-    parameters = {name: _stated(name, quantity) for name, quantity in fit.parameters.items()}
+    parameters = as_stated(fit)
     for name, rivals in explained.near.items():
         for rival in rivals:
             other = fit_linear(explained.table, rival.trace, units)
@@ -88,12 +89,16 @@ def rms(values: FloatArray) -> float:
 
 def as_stated(fit: LinearFit) -> dict[str, Parameter]:
     """Parameters as they were fitted."""
-    return {name: _stated(name, quantity) for name, quantity in fit.parameters.items()}
+    return {name: _stated(name, quantity, fit.degrees_of_freedom) for name, quantity in fit.parameters.items()}
 
 
-def _stated(name: str, quantity: Quantity) -> Parameter:
-    uncertainty = quantity.standard_uncertainty
-    return Parameter(name=name, unit=quantity.unit, value=quantity.value, standard_uncertainty=uncertainty)
+def _stated(name: str, quantity: Quantity, freedom: int) -> Parameter:
+    value, uncertainty = quantity.value, quantity.standard_uncertainty
+    alone = Parameter(name=name, unit=quantity.unit, value=value, standard_uncertainty=uncertainty)
+    if not freedom or uncertainty is None:
+        return alone
+    half = coverage_factor(freedom) * uncertainty
+    return replace(alone, degrees_of_freedom=freedom, interval_95=(value - half, value + half))
 
 
 def withheld_json(explained: LinearExplained[Any]) -> list[dict[str, str]]:

@@ -242,6 +242,16 @@ def test_the_head_map_is_in_the_document_and_in_the_report(tmp_path, eccentric):
         assert heading in text
 
 
+def test_the_report_on_a_head_states_the_expanded_uncertainty_of_its_offset(tmp_path, eccentric):
+    page = tmp_path / "head.html"
+    assert tumble("close-loop", eccentric, "--report", page, "--json", tmp_path / "head.json").status == 0
+    offset = json.loads((tmp_path / "head.json").read_text("utf-8"))["augmented"]["parameters"]["offset"]
+    text = re.sub(r"<[^>]+>", " ", page.read_text("utf-8"))
+    expanded, unit, factor = re.search(r"± ([\d.]+)\) (\S+)\s+([\d.]+)", text).groups()
+    assert (unit, factor) == ("°", "1.98")
+    assert float(expanded) == pytest.approx(1.98 * offset["standard_uncertainty"], rel=0.05)
+
+
 def test_the_report_on_runs_shows_what_is_shared_and_what_cannot_be_told(tmp_path):
     lines = [f"{run},{-30 + 10 * run},{max(0, run - 6) * 2.0 + 0.01 * (-1) ** run}" for run in range(1, 13)]
     (tmp_path / "runs.csv").write_text("\n".join(["run,sensor_degC,bias_mV", *lines]), "utf-8")

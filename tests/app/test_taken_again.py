@@ -8,14 +8,24 @@ from app_jobs import take_again_once, tumble
 from tumble.app.measurements import read_measurement
 from tumble.procedures.recording.reader import iter_samples, read_recording
 
-PROGRAMMES = {"dividing_head": "quick", "triad": "6", "gyrocompass": "0-120-240", "vibration": "vibration-input-axis"}
+SHAKEN = """method = "vibration"
+name = "shaken"
+dwell_s = 1.0
+
+[[procedure]]
+levels_g = [3.0, 5.0]
+frequencies_Hz = [81.3]
+"""
+PROGRAMMES = {"dividing_head": "quick", "triad": "6", "gyrocompass": "0-120-240", "vibration": "shaken.toml"}
 
 
 @pytest.fixture(params=PROGRAMMES, scope="module")
 def ran(request, tmp_path_factory):
     """A recording in which the third point was taken twice."""
     path = tmp_path_factory.mktemp(request.param) / "run.mcap"
+    path.with_name("shaken.toml").write_text(SHAKEN, "utf-8")
     with pytest.MonkeyPatch.context() as patched:
+        patched.chdir(path.parent)
         take_again_once(patched, 2)
         done = tumble("run", "--programme", PROGRAMMES[request.param], "--serial", "A", "--out", path)
     assert done.status == 0, done.err

@@ -1,5 +1,6 @@
 """A triad at several temperatures, at the simulated stand with its chamber: soak, run, next; resumed in every phase."""
 
+from bisect import bisect_right
 from dataclasses import replace
 from pathlib import Path
 
@@ -30,9 +31,13 @@ RUN = Path("run.mcap")
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
+    write()
+    return tmp_path
+
+
+def write():
     Path("p.toml").write_text(PROGRAMME, "utf-8")
     Path("stand.toml").write_text(f'name = "bench"\n{SIMULATED}\n{SIMULATED_CHAMBER}\n{WORLD}', "utf-8")
-    return tmp_path
 
 
 def run(*more):
@@ -70,30 +75,39 @@ def timeless(point):
     return replace(point, time_s=0.0, temperature_degc=None, readings=readings)
 
 
-def cut(points):
+def cut(whole, points):
     """Break off after so many points; behind the last of a temperature that is in the next soak."""
-    whole = RUN.read_bytes()
-    for length in range(len(whole), 0, -100):
+
+    def left(length):
         RUN.write_bytes(whole[:length])
         try:
-            left = read_recording(RUN)
+            return len(read_recording(RUN).points)
         except RecordingError:
-            break
-        if len(left.points) == points:
-            return
-    raise AssertionError("no such cut")
+            return -1
+
+    assert left(bisect_right(range(len(whole)), points, key=left) - 1) == points
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """A recording of a run that nothing happened to, as bytes, and its points."""
+    with pytest.MonkeyPatch.context() as patched:
+        patched.chdir(tmp_path_factory.mktemp("whole"))
+        write()
+        points = run()[1].points
+        return RUN.read_bytes(), [timeless(point) for point in points]
 
 
 @pytest.mark.parametrize("points", [0, 1, 7, 8, 9, 15])
-def test_it_goes_on_after_a_kill_in_every_phase(points):
-    whole = [timeless(point) for point in run()[1].points]
-    cut(points)
+def test_it_goes_on_after_a_kill_in_every_phase(whole, points):
+    written, wanted = whole
+    cut(written, points)
     resumed = tumble("resume", RUN)
     assert resumed.status == 0, resumed.err
     recording = read_recording(RUN)
     assert recording.ending.reason is FinishReason.COMPLETED
     assert [point.index for point in recording.points] == list(range(16))
-    assert [timeless(point).positions_deg for point in recording.points] == [point.positions_deg for point in whole]
-    for now, then in zip(recording.points, whole, strict=True):
+    assert [timeless(point).positions_deg for point in recording.points] == [point.positions_deg for point in wanted]
+    for now, then in zip(recording.points, wanted, strict=True):
         for channel, reading in now.readings.items():
             assert reading.mean == pytest.approx(then.readings[channel].mean, abs=2e-4)

@@ -27,7 +27,7 @@ step_deg = 50.0
 points = 4
 """
 SPEED = 10.0
-PROCESSES = 3
+PROCESSES = 5
 """Most of the time is spent waiting."""
 GOOD, DEVICE, STOPPED, STORAGE = Exit.GOOD, Exit.DEVICE_FAULT, Exit.STOPPED, Exit.STORAGE
 

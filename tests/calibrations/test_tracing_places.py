@@ -24,10 +24,14 @@ def bell(columns):
 
 
 @pytest.fixture(scope="module")
-def ambiguous():
-    """An offset or an error of the angle, which go together in one mount."""
-    _, explained = explain(runs(OWN, extra_v=bell))
-    return explained
+def closed():
+    """The loop closed on an offset or an error of the angle, which go together in one mount, and what it rests on."""
+    return explain(runs(OWN, extra_v=bell))
+
+
+@pytest.fixture(scope="module")
+def ambiguous(closed):
+    return closed[1]
 
 
 @pytest.fixture(scope="module")
@@ -39,9 +43,8 @@ def test_the_places_are_channels_and_variables_the_found_one_first(ambiguous):
     assert places(ambiguous.trace, ambiguous.alike) == ("offset × angle", "offset × pose", "angle × angle")
 
 
-def test_what_has_no_name_is_as_disputed_as_an_effect_with_rivals(ambiguous):
-    loop, _ = explain(runs(OWN, extra_v=bell))
-    assert stage_of(loop, ambiguous).disputed == (("offset × angle", "offset × pose", "angle × angle"),)
+def test_what_has_no_name_is_as_disputed_as_an_effect_with_rivals(closed):
+    assert stage_of(*closed).disputed == (("offset × angle", "offset × pose", "angle × angle"),)
 
 
 def test_a_mount_that_takes_ax_away_tells_an_offset_from_an_error_of_the_angle(ambiguous):

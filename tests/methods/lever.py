@@ -6,11 +6,10 @@ from lever_at_stand import NAME, UNITS, VERSION, ThereAndBack, reads, traceable,
 
 from tumble.app.available import Available, Offer
 from tumble.app.linear_analysed import LinearAnalysed, LinearTraced
-from tumble.app.measurements import check_limits
 from tumble.calibrations.core.table import read_rows
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.tracing.experiments import next_experiments
-from tumble.calibrations.tracing.linear_loop import as_stated, explain_linear, rms
+from tumble.calibrations.tracing.linear_loop import explain_linear, rms
 from tumble.procedures.programmes import load_programme
 
 
@@ -67,8 +66,7 @@ class LeverJob:
 
     def fit(self, measurement, origin, trials):
         explained = explain_linear(traceable(measurement.observations), UNITS)
-        limits = check_limits(as_stated(explained.before), measurement.programme)
-        return LeverAnalysed(measurement=measurement, provenance=origin, explained=explained, limits=limits)
+        return LeverAnalysed(measurement=measurement, provenance=origin, explained=explained)
 
     def trace(self, analysed):
         return LeverTraced(**vars(analysed))

@@ -24,6 +24,7 @@ from tumble.drivers.tables import HEAD
 from tumble.procedures.layout import ChannelColumns, Column, Layout, PositionColumns
 from tumble.procedures.method import ProcedurePart
 from tumble.procedures.programme import Programme
+from tumble.procedures.recording.endings import warnings
 from tumble.procedures.steps import Dwell
 
 NAME, VERSION = "lever", 3
@@ -96,6 +97,8 @@ def table_of(recording):
         realisation=np.array([point.realisation for point in points], dtype=np.int64),
         lever_deg=np.array([point.positions_deg[HEAD] for point in points]),
         load_v=np.array([point.readings[VOLTAGE].mean for point in points]),
+        take=recording.takes,
+        warnings=tuple(warnings(recording)),
         complete=recording.complete,
         source=str(recording.path),
     )

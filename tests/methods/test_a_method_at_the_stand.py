@@ -147,6 +147,20 @@ def test_its_limits_are_of_its_own_parameters(bench):
     assert (ran.status, "limits kx, and the parameters are u0 and k" in ran.err) == (2, True)
 
 
+@pytest.mark.parametrize(("most", "status", "word"), [(-0.5, 0, "pass"), (-1.0, 1, "fail")])
+def test_its_values_are_held_against_the_limits_of_its_programme(bench, most, status, word):
+    text = (PROGRAMMES / "lever-up.toml").read_text() + f"[limits]\nk = {{ min = -2.0, max = {most} }}\n"
+    (bench / "limited.toml").write_text(text)
+    ran = tumble("calibrate", "--programme", "limited.toml", *AT, "--store", "s", "--json", "-")
+    assert (ran.status, json.loads(ran.out)["verdict"]["outcome"]) == (status, word)
+    assert word in tumble("records", "list", "--store", "s").out
+
+
+def test_a_recording_that_was_cut_off_is_told_with_its_result(recording):
+    recording.write_bytes(recording.read_bytes()[:-2000])
+    assert "cut off" in tumble("fit", recording).err
+
+
 def test_a_run_that_was_cut_off_goes_on(recording, bench):
     whole = recording.read_bytes()
     recording.write_bytes(whole[: len(whole) // 2])

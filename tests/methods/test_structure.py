@@ -2,6 +2,7 @@
 
 import ast
 import re
+from functools import cache
 from graphlib import TopologicalSorter
 from pathlib import Path
 
@@ -30,8 +31,13 @@ def generic_files():
                 yield path
 
 
+@cache
 def names_in(path):
     """Literals, identifiers and imported modules of a file, identifiers in small letters with underscores."""
+    return frozenset(_names_in(path))
+
+
+def _names_in(path):
     for node in ast.walk(ast.parse(path.read_text("utf-8"))):
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             yield node.value

@@ -25,7 +25,7 @@ def test_a_table_leaves_a_record_with_its_report(analysed, tmp_path):
     assert (record.method, record.id) == ("head_reference", shown.record_id)
     assert shown.report.read_text("utf-8").rstrip().endswith("</html>")
     assert analysed.window.frame.current is analysed.window.result
-    assert analysed.window.result.table.texts()[0][::2][:2] == ["offset", "-0.18(11)°"]
+    assert analysed.window.result.table.texts()[0][::2][:2] == ["offset", "(-0.18 ± 0.22) °"]
     assert analysed.window.result.findChildren(SectionList)
 
 

@@ -1,9 +1,7 @@
 """The one way to the instruments: one thread talks to them, and nobody else does."""
 
 import atexit
-from collections.abc import Callable, Sequence
-from contextlib import suppress
-from dataclasses import replace
+from collections.abc import Callable
 from functools import partial
 from queue import Empty, SimpleQueue
 
@@ -11,25 +9,22 @@ from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
 from tumble.app.exits import Exit, JobError
 from tumble.app.patience import PatientControl
-from tumble.app.simulation import Past
 from tumble.app.stand import LoadedStand
-from tumble.app.wiring import Attendant, Connected
-from tumble.drivers.errors import naming
+from tumble.app.wiring import Attendant
 from tumble.procedures.control import Control
 from tumble.procedures.errors import InputError, StopRequestedError
-from tumble.procedures.interlock import Interlock
-from tumble.procedures.motion import Motion
 from tumble.window.look.language import tr
-from tumble.window.work.activity import Activity, progress_of
+from tumble.window.work.activity import Activity
 from tumble.window.work.bridge import EventBridge
 from tumble.window.work.order_thread import OrderThread
 from tumble.window.work.session import StandSession
+from tumble.window.work.stand_orders import Move, StandOrders
+from tumble.window.work.stand_signals import StandSignals
 
 Action = Callable[[Control], object]
-Move = Callable[[Motion, Callable[[], bool]], object]
 
 
-class StandWorker(QObject):
+class StandWorker(StandSignals):
     """Has a thread carry out one order after the other; is called, and emits its signals, in the event loop.
 
     An order belongs to the stand that was chosen when it was given. While anything is under way no other stand is
@@ -37,40 +32,11 @@ class StandWorker(QObject):
     way, and brakes a head that moves without an order.
     """
 
-    chosen = Signal(object)
-    """`LoadedStand`, in place of the one before."""
-    connected = Signal(object)
-    """`StandIdentity`."""
-    disconnected = Signal()
-    position_seen = Signal(str, object)
-    """Name and `PositionerStatus` of a positioner that nobody moves."""
-    reading_seen = Signal(str, object)
-    """Name and samples of a sampler or an environment, or None where it has none, while somebody watches."""
-    working = Signal(bool)
-    """Whether an order is under way; leaving a stand is none."""
-    stage = Signal(str)
-    """What an activity does before its run."""
-    recorded = Signal(object)
-    """Path of the recording of a run that is over, however it ended."""
-    measured = Signal(object)
-    """`Conclusion`: an activity needs the stand no longer."""
-    broken_off = Signal(object)
-    """The exception that ended an activity."""
-    stopping = Signal()
-    """Everything is told to stop."""
-    failed = Signal(object)
-    """The exception that ended any other order."""
-    restless = Signal()
-    """The standstill of the head could not be read back."""
-    rested = Signal()
-    """The stand was left with its head at rest, as `retire` demanded."""
-    stuck = Signal(object)
-    """The exception for which it was not."""
     _posted = Signal(object)
 
     def __init__(self, bridge: EventBridge, loaded: LoadedStand, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._bridge = bridge
+        self._bridge, self._orders = bridge, StandOrders(bridge, self, self._tell)
         self._controls: list[Control] = []
         self._watched = False
         self.session = StandSession(loaded, bridge.look)
@@ -95,11 +61,11 @@ class StandWorker(QObject):
     def connect_to(self, attendant: Attendant) -> None:
         """Reach the instruments of the stand that is chosen."""
         session = self.session
-        self._begin(lambda control: self._connect(session, attendant, control))
+        self._begin(partial(self._orders.connect, session, attendant))
 
     def disconnect_from(self) -> None:
         """Leave the instruments."""
-        self._thread.put(partial(self._leave_stand, self.session), self._tell_of)
+        self._thread.put(partial(self._orders.leave, self.session), self._tell_of)
 
     def begin(self, activity: Activity, attendant: Attendant) -> bool:
         """Carry out a run unless something is under way; returns whether it was taken on.
@@ -107,7 +73,7 @@ class StandWorker(QObject):
         Raises `InputError` where the run belongs to another stand than the one that is chosen.
         """
         self.session.check_is_of(activity.job.stand)
-        action = partial(self._carry_out, self.session, activity, attendant)
+        action = partial(self._orders.measure, self.session, activity, attendant)
         return self._take_on(partial(_run_unless_stopped, action), self.broken_off)
 
     def watch(self, watched: bool) -> None:
@@ -148,12 +114,12 @@ class StandWorker(QObject):
     def stop(self) -> None:
         """Bring the head to rest, whatever is under way."""
         session = self._stopped()
-        self._order(lambda _: self._halt(session))
+        self._order(lambda _: self._orders.halt(session))
 
     def retire(self) -> None:
         """Stop, read the standstill back and leave the stand; `rested` or `stuck` says what came of it."""
         session = self._stopped()
-        self._order(lambda _: self._retire(session), self.stuck)
+        self._order(lambda _: self._orders.retire(session), self.stuck)
 
     def settle(self, within_s: float) -> bool:
         """As `retire`, and wait for it; returns whether the standstill was read back in time."""
@@ -161,7 +127,7 @@ class StandWorker(QObject):
 
         def action(_: Control) -> None:
             try:
-                self._retire(session)
+                self._orders.retire(session)
                 told.put(True)
             finally:
                 told.put(False)
@@ -201,7 +167,7 @@ class StandWorker(QObject):
         self.working.emit(True)
 
     def _move(self, name: str, move: Move) -> None:
-        self._begin(partial(self._carry_out_move, self.session, name, move))
+        self._begin(partial(self._orders.move, self.session, name, move))
 
     def _end(self, control: Control, failed: SignalInstance, error: BaseException | None) -> None:
         self._controls.remove(control)
@@ -221,84 +187,8 @@ class StandWorker(QObject):
         """Emit a signal in the event loop, where what it tells of is the stand on screen; from the stand's thread."""
         self._posted.emit(lambda: signal.emit(*told) if session is self.session else None)
 
-    # What follows happens in the thread of the stand.
-
-    def _connect(
-        self, session: StandSession, attendant: Attendant, control: Control, past: Sequence[Past] = ()
-    ) -> Connected:
-        self._leave_stand(session)
-        self._tell(session, self.connected, session.connect(attendant, past, control.check))
-        return session.connected
-
-    def _leave_stand(self, session: StandSession) -> None:
-        if session.is_connected:
-            self._tell(session, self.disconnected)
-            session.disconnect()
-
-    def _carry_out(self, session: StandSession, activity: Activity, attendant: Attendant, control: Control) -> None:
-        """Run at the instruments that are connected, unless a simulated stand must live through something first."""
-        as_it_is = session.is_connected and not activity.past
-        connected = session.connected if as_it_is else self._connect(session, attendant, control, activity.past)
-        self._bridge.count(progress_of(activity, connected))
-        ready = replace(connected, control=control, look=self._bridge.look)
-        tell, ran = partial(self._tell, session, self.stage), len(connected.ran)
-        try:
-            conclusion = activity.measure(ready, [self._bridge.listen], tell)
-        except BaseException:
-            self._leave_what_is_lost(session)
-            raise
-        finally:
-            for path in connected.ran[ran:]:
-                self._tell(session, self.recorded, path)
-        self._tell(session, self.measured, conclusion)
-
-    def _leave_what_is_lost(self, session: StandSession) -> None:
-        """Leave a stand that answers no longer: why the run broke off is told once, and not again by the next look."""
-        if not session.answers:
-            with suppress(Exception):
-                self._leave_stand(session)
-
-    def _carry_out_move(self, session: StandSession, name: str, move: Move, control: Control) -> None:
-        motion, interlock = session.motion(name), session.interlock()
-        try:
-            with session.heeding(control.check), naming(name, motion.title):
-                interlock.check()
-                move(motion, lambda: _checked(control, interlock))
-        finally:
-            self._halt(session)
-
-    def _halt(self, session: StandSession) -> None:
-        try:
-            session.halt()
-        except BaseException:
-            self._tell(session, self.restless)
-            raise
-
-    def _retire(self, session: StandSession) -> None:
-        self._halt(session)
-        self._leave_stand(session)
-        self._tell(session, self.rested)
-
     def _look(self) -> None:
-        session = self.session
-        if not session.is_connected:
-            return
-        try:
-            with session.heeding(self._give_way):
-                self._look_at(session)
-        except StopRequestedError:  # the next look sees what this one has not
-            return
-        except Exception:
-            self._leave_stand(session)
-            raise
-
-    def _look_at(self, session: StandSession) -> None:
-        for name, climate in session.climates.items() if self._watched else ():
-            self._tell(session, self.reading_seen, name, climate)
-        for name, status in session.statuses.items():
-            self._tell(session, self.position_seen, name, status)
-        for name, block in session.readings(self._give_way).items() if self._watched else ():
-            self._tell(session, self.reading_seen, name, block)
+        self._orders.look(self.session, self._watched, self._give_way)
 
     def _give_way(self) -> None:
         """Look no longer where an order waits."""
@@ -317,10 +207,3 @@ def _run_unless_stopped(action: Action, control: Control) -> None:
         _unless_stopped(action, control)
     except StopRequestedError as error:
         raise JobError(str(error), Exit.STOPPED) from error
-
-
-def _checked(control: Control, interlock: Interlock) -> bool:
-    """Stop where that is wanted, or a door is opened; a move by hand is never paused."""
-    control.check()
-    interlock.check()
-    return False

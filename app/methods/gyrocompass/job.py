@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Final
 from tumble.app.available import Available
 from tumble.app.job_part import JobPart
 from tumble.app.measurement import Measurement
-from tumble.app.measurements import check_limits
 from tumble.app.methods.gyrocompass.analysed import GyrocompassAnalysed, GyrocompassTraced
 from tumble.app.methods.gyrocompass.stand_part import STAND, GyrocompassStand
 from tumble.app.methods.gyrocompass.uncertainty import uncertainty_of
@@ -44,20 +43,14 @@ class GyrocompassJob:
         """Fit heading and drift. Raises `ValueError`, `InputError`."""
         declared = declared_fit(_rows(measurement), measurement.reference_temperature_degc)
         declared = declared_at(declared, uncertainty_of(measurement), TRIALS if trials is None else trials)
-        return GyrocompassAnalysed(
-            measurement=measurement,
-            provenance=origin,
-            declared=declared,
-            limits=check_limits(declared.model.parameters, measurement.programme),
-        )
+        return GyrocompassAnalysed(measurement=measurement, provenance=origin, declared=declared)
 
     def trace(self, analysed: GyrocompassAnalysed) -> GyrocompassTraced:
         """Close the loop."""
         measurement = analysed.measurement
         loop = close_gyrocompass_loop(_rows(measurement), measurement.reference_temperature_degc)
         loop = loop_at(loop, uncertainty_of(measurement))
-        limits = check_limits(loop.augmented.parameters, measurement.programme)
-        return GyrocompassTraced(**{**vars(analysed), "limits": limits}, loop=loop)
+        return GyrocompassTraced(**vars(analysed), loop=loop)
 
     def suggested(self, traced: GyrocompassTraced) -> tuple[Experiment, ...]:
         """What to measure next."""

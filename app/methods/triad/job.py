@@ -8,7 +8,6 @@ from typing import Final
 from tumble.app.available import Available
 from tumble.app.job_part import JobPart
 from tumble.app.measurement import Measurement
-from tumble.app.measurements import check_limits
 from tumble.app.methods.triad.analysed import TriadAnalysed, TriadTraced
 from tumble.app.methods.triad.stand_part import STAND, TriadStand
 from tumble.app.methods.triad.still import still_of
@@ -50,20 +49,14 @@ class TriadJob:
         """Fit the declared model. Raises `ValueError`, `InputError`."""
         declared = declared_fit(_rows(measurement), measurement.reference_temperature_degc)
         declared = declared_at(declared, uncertainty_of(measurement), TRIALS if trials is None else trials)
-        return TriadAnalysed(
-            measurement=measurement,
-            provenance=origin,
-            declared=declared,
-            limits=check_limits(declared.model.parameters, measurement.programme),
-        )
+        return TriadAnalysed(measurement=measurement, provenance=origin, declared=declared)
 
     def trace(self, analysed: TriadAnalysed) -> TriadTraced:
         """Close the loop."""
         measurement = analysed.measurement
         loop = close_triad_loop(_rows(measurement), measurement.reference_temperature_degc)
         loop = loop_at(loop, uncertainty_of(measurement))
-        limits = check_limits(loop.augmented.parameters, measurement.programme)
-        return TriadTraced(**{**vars(analysed), "limits": limits}, loop=loop, still=still_of(measurement))
+        return TriadTraced(**vars(analysed), loop=loop, still=still_of(measurement))
 
     def suggested(self, traced: TriadTraced) -> tuple[Experiment, ...]:
         """What to measure next, of all lists that come along."""

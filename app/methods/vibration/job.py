@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Final
 from tumble.app.available import Available
 from tumble.app.job_part import JobPart
 from tumble.app.measurement import Measurement
-from tumble.app.measurements import check_limits
 from tumble.app.methods.vibration.analysed import VibrationAnalysed, VibrationTraced
 from tumble.app.methods.vibration.uncertainty import uncertainty_of
 from tumble.app.stand import LoadedStand, WrittenStand
@@ -42,20 +41,14 @@ class VibrationJob:
         """Fit the declared model; it is linear, so that no simulation checks it. Raises `ValueError`, `InputError`."""
         declared = declared_fit(_rows(measurement), measurement.reference_temperature_degc)
         declared = declared_at(declared, uncertainty_of(measurement))
-        return VibrationAnalysed(
-            measurement=measurement,
-            provenance=origin,
-            declared=declared,
-            limits=check_limits(declared.model.parameters, measurement.programme),
-        )
+        return VibrationAnalysed(measurement=measurement, provenance=origin, declared=declared)
 
     def trace(self, analysed: VibrationAnalysed) -> VibrationTraced:
         """Close the loop."""
         measurement = analysed.measurement
         loop = close_vibration_loop(_rows(measurement), measurement.reference_temperature_degc)
         loop = loop_at(loop, uncertainty_of(measurement))
-        limits = check_limits(loop.augmented.parameters, measurement.programme)
-        return VibrationTraced(**{**vars(analysed), "limits": limits}, loop=loop)
+        return VibrationTraced(**vars(analysed), loop=loop)
 
     def promise(self, planned: "Plan", stand: WrittenStand) -> "VibrationPromise | None":
         """What a plan can tell; None where nothing shakes in it."""
