@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final, TypeAlias
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import QBrush, QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from tumble.procedures.layout import Layout
@@ -21,6 +21,11 @@ from tumble.window.parts import Overview
 Pose: TypeAlias = tuple[str, float]
 """Mount and head angle within the turn."""
 _NEVER: Final = ("", math.nan)
+_INSIDE: Final = 0.74
+"""Half of the width of what is written into a circle, in its radius: its corners lie on the circle at 0.71."""
+_SCALES: Final = (1.0, 0.9, 0.8, 0.7, 0.6)
+"""Sizes of what is written there."""
+_WRAPPED: Final = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -117,15 +122,12 @@ class PoseMap(Overview):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawEllipse(cell.centre, cell.radius, cell.radius)
         painter.setPen(QColor(chosen.ink))
-        font = self.font()
-        name = mount_name(mount)
-        advance = max(painter.fontMetrics().horizontalAdvance(name), 1)
-        font.setPointSizeF(font.pointSizeF() * min(1.0, 1.5 * cell.radius / advance))
-        painter.setFont(font)
-        box = QRectF(cell.centre.x() - cell.radius, cell.centre.y() - cell.radius, 2 * cell.radius, 2 * cell.radius)
         done = sum(count for (of, _), count in self._done.items() if of == mount)
         planned = sum(count for (of, _), count in self._planned.items() if of == mount)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{name}\n{done}/{planned}")
+        text, half = f"{mount_name(mount)}\n{done}/{planned}", _INSIDE * cell.radius
+        room = QRectF(cell.centre.x() - half, cell.centre.y() - half, 2 * half, 2 * half)
+        painter.setFont(fitting_font(self.font(), text, room))
+        painter.drawText(room, _WRAPPED, text)
 
     def _draw_poses(self, painter: QPainter, chosen: Colours, cells: dict[str, Cell]) -> None:
         to_come, done = QPen(QColor(chosen.pale), 1.2), QPen(QColor(chosen.accent), 1.2)
@@ -166,3 +168,14 @@ class PoseMap(Overview):
 def _on(cell: Cell, angle_deg: float) -> QPointF:
     angle_rad = math.radians(angle_deg)
     return cell.centre + QPointF(math.sin(angle_rad), -math.cos(angle_rad)) * cell.radius
+
+
+def fitting_font(font: QFont, text: str, room: QRectF) -> QFont:
+    """The largest of a few sizes of a font in which a text, wrapped between words, has room; else the smallest."""
+    usual_pt = font.pointSizeF()
+    for scale in _SCALES:
+        font.setPointSizeF(scale * usual_pt)
+        needed = QFontMetricsF(font).boundingRect(room, _WRAPPED, text)
+        if needed.width() <= room.width() and needed.height() <= room.height():
+            break
+    return font
