@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 from typing import Final, Self
 
+_COLON: Final = ": "
 _LOCALES: Final = Path(__file__).resolve().parent / "locales"
 
 
@@ -129,6 +130,16 @@ class _Capitalised(Message):
         return _with_capital(super().worded(language))
 
 
+class _ReadBack(Message):
+    """A text of a document, which has lost of what it was joined."""
+
+    def worded(self, language: Language) -> str:
+        """The text in a language, as far as the catalogue has it."""
+        whole = super().worded(language)
+        parts = self.split(_COLON)
+        return whole if whole != self else _COLON.join(_looked_up(part, language) for part in parts)
+
+
 def translate(text: str, language: Language) -> str:
     """Text in a language: a message with its fields, any other as a key of the catalogue; English where unknown."""
     return text.in_language(language) if isinstance(text, Message) else _looked_up(text, language)
@@ -143,8 +154,11 @@ def with_wording(name: str) -> str:
 
 
 def read_back(text: str) -> str:
-    """A text of a document, which a reader is shown as a key of the catalogue where it is one without fields."""
-    return text if "{" in text or "}" in text else Message.marked(text)
+    """A text of a document, which a reader is shown as a key of the catalogue where it is one without fields.
+
+    Where it is none, but was joined of such with colons, each of them is.
+    """
+    return text if "{" in text or "}" in text else _ReadBack.marked(text)
 
 
 def translatable(template: str) -> str:

@@ -3,7 +3,7 @@ import pickle
 
 import pytest
 
-from tumble.messages import Language, Message, translatable, translate, with_wording
+from tumble.messages import Language, Message, read_back, translatable, translate, with_wording
 
 
 def test_a_message_is_its_english_text():
@@ -131,3 +131,23 @@ def ukrainian_rows(tmp_path, monkeypatch):
     messages._catalogue.cache_clear()
     yield
     messages._catalogue.cache_clear()
+
+
+@pytest.mark.parametrize(
+    ("kept", "german"),
+    [
+        (
+            "the rows do not separate it from the other parameters",
+            "die Zeilen trennen ihn nicht von den anderen Parametern",
+        ),
+        (
+            "its 95% interval is unbounded: no row has gravity along Ox and Oy at once",
+            "das 95-%-Intervall ist unbeschränkt: in keiner Zeile wirkt die Schwerkraft zugleich längs Ox und Oy",
+        ),
+        ("its certificate is older: see there", "its certificate is older: see there"),
+    ],
+)
+def test_a_text_of_a_document_is_put_into_a_language_as_far_as_it_is_known(kept, german):
+    assert read_back(kept) == kept
+    assert read_back(kept).in_language(Language.ENGLISH) == kept
+    assert read_back(kept).in_language(Language.GERMAN) == german

@@ -124,7 +124,7 @@ def test_points_are_listed_and_every_channel_is_drawn(driver, tmp_path):
     measure(driver, tmp_path)
     view = driver.run.view
     headings = [view.overview.table.horizontalHeaderItem(place).text() for place in range(7)]
-    assert headings == ["point", "base", "outer (°)", "inner (°)", *CHANNELS]
+    assert headings == ["point", "base", "Outer axis (°)", "Inner axis (°)", "u_x (V)", "u_y (V)", "u_z (V)"]
     assert [row[:4] for row in view.overview.table.texts()] == [
         ["4", "level", "-90.0000", "30.0000"],
         ["3", "level", "0.0000", "45.0000"],
@@ -142,11 +142,11 @@ def test_channels_are_drawn_against_time_and_position_too(driver, tmp_path):
     measure(driver, tmp_path)
     driver.window.open(driver.run)
     figures = driver.run.view.figures
-    driver.wait(lambda: figures.plots["v"].drawn("u_z_v") == 4)
+    driver.wait(lambda: figures.plots["V"].drawn("u_z_v") == 4)
     choices = [figures.against.itemText(place) for place in range(figures.against.count())]
-    assert choices == ["point", "time (min)", "outer (°)", "inner (°)"]
-    figures.against.setCurrentText("inner (°)")
-    series = figures.plots["v"]._series["u_z_v"]
+    assert choices == ["point", "time (min)", "Outer axis (°)", "Inner axis (°)"]
+    figures.against.setCurrentText("Inner axis (°)")
+    series = figures.plots["V"]._series["u_z_v"]
     driver.wait(lambda: list(series.getData()[0]) == [0.0, 45.0, 45.0, 30.0])
 
 

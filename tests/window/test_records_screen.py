@@ -206,7 +206,7 @@ def test_a_file_is_called_after_unit_and_record(measured):
     records.table.selectRow(0)
     records.export_button.click()
     (dialog,) = measured.window.dialogs.findChildren(QFileDialog)
-    assert Path(dialog.selectedFiles()[0]).name == f"B-2-{records.table.chosen_records[0].id}.json"
+    assert Path(dialog.selectedFiles()[0]).name == f"B-2-{records.table.chosen_records[0].id}.pdf"
     measured.dismiss_all()
 
 
@@ -271,6 +271,26 @@ def test_a_name_that_is_typed_without_an_ending_gets_one(measured, tmp_path):
     with measured.bot.waitSignal(dialog.chosen) as chosen:
         dialog.files.accept()
     assert chosen.args == [tmp_path / "of-today.json"]
+
+
+def exported(driver, path=None):
+    """The file that is asked for, once the dialog was opened for the record that is chosen; answered with a path."""
+    driver.window.records._choose_export()
+    (dialog,) = driver.window.dialogs.open
+    asked = Path(dialog.files.selectedFiles()[0])
+    if path is not None:
+        dialog.chosen.emit(path)
+    dialog.dismiss()
+    return asked
+
+
+def test_a_record_goes_where_the_last_one_went_and_in_its_format(measured, tmp_path):
+    records = measured.window.records
+    records.table.selectRow(0)
+    assert exported(measured, tmp_path / "first.html").suffix == ".pdf"
+    measured.wait((tmp_path / "first.html").is_file)
+    asked = exported(measured)
+    assert (asked.parent, asked.suffix) == (tmp_path, ".html")
 
 
 def test_the_first_step_of_a_day_is_today(measured):

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QVBoxLayout
 from tumble.calibrations.core.arrays import FloatArray
 from tumble.procedures.layout import Layout
 from tumble.procedures.steps import Point
+from tumble.window.look.channels import axis_text, channel_parts
 from tumble.window.look.language import tr
 from tumble.window.parts import Figures
 from tumble.window.widgets.series_plot import SeriesPlot
@@ -16,8 +17,16 @@ from tumble.window.work.background import Background
 _OVERLOAD = 1e30
 
 
+class ChannelPlot(SeriesPlot):
+    """Channels of one unit, which stands at the ordinate."""
+
+    def title_of(self, name: str) -> str:
+        """What a channel gives."""
+        return channel_parts(name)[0]
+
+
 class ChannelPlots(Figures):
-    """A plot for each unit: the name of a channel ends in its unit, as `u_x_v` does."""
+    """A plot for each unit in which there are channels."""
 
     def __init__(self, layout: Layout, _: Background) -> None:
         super().__init__()
@@ -26,10 +35,10 @@ class ChannelPlots(Figures):
         self.against.addItem(tr("point"), "")
         self.against.addItem(tr("time (min)"), "time")
         for name in layout.positions:
-            self.against.addItem(f"{name} (°)", name)
+            self.against.addItem(axis_text(name), name)
         self._channels = _by_unit(layout.channels)
         self.plots = {
-            unit: SeriesPlot(names, self.against.currentText(), tr("mean")) for unit, names in self._channels.items()
+            unit: ChannelPlot(names, self.against.currentText(), _mean(unit)) for unit, names in self._channels.items()
         }
         choice = QFormLayout()
         choice.addRow(tr("A&gainst"), self.against)
@@ -70,16 +79,20 @@ class ChannelPlots(Figures):
         return np.where(np.abs(means) < _OVERLOAD, means, np.nan)
 
     def _name_axes(self) -> None:
-        for plot in self.plots.values():
-            plot.name_axes(self.against.currentText(), tr("mean"))
+        for unit, plot in self.plots.items():
+            plot.name_axes(self.against.currentText(), _mean(unit))
             plot.forget_key()
             plot.way_back.home()
         self.draw_later(self._draw)
 
 
+def _mean(unit: str) -> str:
+    return f"{tr('mean')} ({unit})"
+
+
 def _by_unit(channels: Mapping[str, object]) -> dict[str, list[str]]:
-    """Names of channels by what they end in."""
+    """Names of channels by their units; by their ends, where nothing is known of these."""
     units: dict[str, list[str]] = {}
     for name in channels:
-        units.setdefault(name.rpartition("_")[2], []).append(name)
+        units.setdefault(channel_parts(name)[1] or name.rpartition("_")[2], []).append(name)
     return units

@@ -9,7 +9,9 @@ from PySide6.QtWidgets import QVBoxLayout
 from tumble.calibrations.core.quantities import rounded
 from tumble.procedures.layout import Layout
 from tumble.procedures.steps import Dwell, Point, Reading
+from tumble.window.look.channels import axis_text, channel_text
 from tumble.window.look.language import tr
+from tumble.window.look.names import instrument_name
 from tumble.window.look.numbers import local
 from tumble.window.parts import Overview
 from tumble.window.widgets.table import Table
@@ -25,8 +27,8 @@ class PointTable(Overview):
         super().__init__()
         self._names = tuple(layout.conditions), tuple(layout.positions), tuple(layout.channels)
         conditions, positions, channels = self._names
-        degrees = (f"{name} (°)" for name in positions)
-        self.table = Table((tr("point"), *conditions, *degrees, *channels))
+        asked = map(instrument_name, conditions)
+        self.table = Table((tr("point"), *asked, *map(axis_text, positions), *map(channel_text, channels)))
         self._rows: list[tuple[str, ...]] = []
         self._now: tuple[str, ...] = ()
         self._done = 0

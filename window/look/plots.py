@@ -29,6 +29,7 @@ from tumble.window.look.way_back import WayBack
 from tumble.window.plots.crosshair import Crosshair
 from tumble.window.plots.menu import Deed, PlotMenu
 from tumble.window.plots.savable import Savable, ask_to_save
+from tumble.window.plots.title import Title
 from tumble.window.plots.values import Series, Values, items_of, without_unit
 
 _WIDE_LINES, _HIGH_LINES = 11, 7
@@ -91,6 +92,7 @@ class Plot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph is not typed
         axes = {side: LocalAxis(side) for side in ("left", "bottom")}
         super().__init__(parent, axisItems=axes, enableMenu=False)
         self.hideButtons()
+        Title(self.getPlotItem())
         self.way_back, self.crosshair = WayBack(self), Crosshair(self, self.values)
         self.menu = PlotMenu(self, self._deeds())
         self._stated: tuple[Series, ...] | None = None

@@ -118,6 +118,7 @@ class FileDialog(Dialog):
             self.files.setOption(QFileDialog.Option[option])
         if saving:
             self.files.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+            self.files.selectNameFilter(_filter_of(start, filters))
             self.files.selectFile(start.name)
             self.files.filterSelected.connect(self._take_ending)
             self._take_ending(self.files.selectedNameFilter())
@@ -143,6 +144,12 @@ class FileDialog(Dialog):
         self.files.setDefaultSuffix(ending)
         if named := self.files.selectedFiles():
             self.files.selectFile(Path(named[0]).with_suffix(f".{ending}").name)
+
+
+def _filter_of(path: Path, filters: str) -> str:
+    """The filter of a file's format; the first where none is of that."""
+    each_one = filters.split(";;")
+    return next((each for each in each_one if each.endswith(f"*{path.suffix})")), each_one[0])
 
 
 class Dialogs(QScrollArea):

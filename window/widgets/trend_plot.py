@@ -15,6 +15,7 @@ from tumble.calibrations.core.arrays import FloatArray
 from tumble.calibrations.core.quantities import format_limits
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
+from tumble.window.look.date_axis import DateAxis
 from tumble.window.look.language import tr
 from tumble.window.look.moments import day_text
 from tumble.window.look.names import short_name
@@ -43,7 +44,7 @@ class TrendPlot(QWidget):
         self.over.addItem(tr("lots"), "lots")
         self.over.addItem(tr("stands"), "stands")
         self.plot = Plot("", "")
-        self._dates, self._numbers = pg.DateAxisItem(orientation="bottom"), LocalAxis(orientation="bottom")
+        self._dates, self._numbers = DateAxis(orientation="bottom"), LocalAxis(orientation="bottom")
         self._bars = pg.ErrorBarItem(beam=0)
         self._marks = pg.ScatterPlotItem()
         self._limits = [pg.InfiniteLine(angle=0, movable=False) for _ in ("low", "high")]
@@ -167,8 +168,8 @@ class TrendPlot(QWidget):
         return f"{self.over.currentText()}, {' – '.join(days)}"
 
     def _places(self, records: Sequence[Record]) -> "np.ndarray[tuple[int], np.dtype[np.float64]]":
-        """Where records stand on the abscissa, which is dressed for it."""
-        if self.over.currentData() == "time":
+        """Where records stand on the abscissa, which is dressed for it; without any it tells no time."""
+        if records and self.over.currentData() == "time":
             self.plot.use_bottom_axis(self._dates)
             self.plot.getViewBox().setLimits(minXRange=_LEAST_S)
             return np.array([_moment(record).timestamp() for record in records])

@@ -33,9 +33,9 @@ _SETTLING_SWEEP_DEG = np.arange(0.0, 400.0, 5.0)
 
 _NO_SPARE_ROWS = Message("there are no more rows than parameters, so that nothing is left to state an uncertainty by")
 _NEEDS = {
-    "kx": Message("no row has gravity along {axis}, or nothing separates it from another parameter", axis="Ox"),
-    "ky": Message("no row has gravity along {axis}, or nothing separates it from another parameter", axis="Oy"),
-    "kz": Message("no row has gravity along {axis}, or nothing separates it from another parameter", axis="Oz"),
+    "kx": Message("no row has gravity along Ox, or nothing separates it from another parameter"),
+    "ky": Message("no row has gravity along Oy, or nothing separates it from another parameter"),
+    "kz": Message("no row has gravity along Oz, or nothing separates it from another parameter"),
     "kxy": Message("no row has gravity along Ox and Oy at once"),
     "u0": Message("the rows do not separate it from the other parameters"),
 }
@@ -98,7 +98,7 @@ def _estimable_within(compressed: Compressed, alpha0_deg: FloatArray) -> NDArray
 def _linear_verdict(name: str, identifiable: bool) -> Identification:
     if identifiable:
         return Identification(identifiable=True)
-    reason = Message("its 95% interval is unbounded: {need}", need=_NEEDS[name])
+    reason = Message.joined(": ", (Message("its 95% interval is unbounded"), _NEEDS[name]))  # read back from a record
     return Identification(identifiable=False, reason=reason)
 
 

@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from tumble.messages import translatable
+from tumble.messages import Message, translatable
 from tumble.procedures.layout import ChannelColumns, Column, Condition, Layout, PositionColumns
 from tumble.procedures.steps import Dwell
 
@@ -15,6 +15,13 @@ AZIMUTH_RATE: Final = "azimuth_rate_deg_h"
 TILT_GAMMA: Final = "tilt_gamma_deg"
 TILT_BETA: Final = "tilt_beta_deg"
 """How far the platform is off level; heeded while it settles, where the stand has such a channel."""
+_WORDS: Final = (
+    Message.named(LEVELLING_RATE, "levelling rate"),
+    Message.named(AZIMUTH_RATE, "azimuth rate"),
+    Message.named(TILT_GAMMA, "tilt γ"),
+    Message.named(TILT_BETA, "tilt β"),
+)
+"""What a reader is shown in the place of these."""
 _SAMPLES: Final = Column(name="samples", meaning="number of samples in each mean")
 
 

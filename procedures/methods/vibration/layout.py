@@ -5,12 +5,14 @@ from typing import Final
 from tumble.drivers.excitation import REST, Excitation
 from tumble.drivers.mountings import Mounting
 from tumble.drivers.tables import EXCITER, MOUNT
-from tumble.messages import translatable
+from tumble.messages import Message, translatable
 from tumble.procedures.layout import ChannelColumns, Column, Condition, Layout
 from tumble.procedures.steps import Dwell
 
 OUTPUT: Final = "output_v"
 """Channel of the unit; those of the references are named in the stand file, and stand in the recording's samples."""
+_WORDS: Final = Message.named(OUTPUT, "output")
+"""What a reader is shown in its place."""
 AT_REST: Final = "rest"
 VIBRATED: Final = "vibration"
 """What a dwell belongs to."""

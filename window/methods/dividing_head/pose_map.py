@@ -7,7 +7,17 @@ from dataclasses import dataclass
 from typing import Final, TypeAlias
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPixmap,
+    QPolygonF,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QWidget
 
 from tumble.procedures.layout import Layout
@@ -21,6 +31,11 @@ from tumble.window.parts import Overview
 Pose: TypeAlias = tuple[str, float]
 """Mount and head angle within the turn."""
 _NEVER: Final = ("", math.nan)
+_INSIDE: Final = 0.74
+"""Half of the width of what is written into a circle, in its radius: its corners lie on the circle at 0.71."""
+_SCALES: Final = (1.0, 0.9, 0.8, 0.7, 0.6)
+"""Sizes of what is written there."""
+_WRAPPED: Final = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,7 +59,8 @@ class PoseMap(Overview):
         self._planned: Counter[Pose] = Counter()
         self._done: Counter[Pose] = Counter()
         self._now: Pose = _NEVER
-        self._placed: tuple[QSize, list[QPointF]] | None = None
+        self._picture: QPixmap | None = None
+        """Circles and poses as they were drawn last: all of a long programme at each point would be felt."""
         self.setMinimumSize(220, 130)
 
     def sizeHint(self) -> QSize:  # noqa: N802  # Qt's name
@@ -65,7 +81,7 @@ class PoseMap(Overview):
         """Show a programme, with the dwells done of which there are points."""
         poses = [pose_of(dwell) for dwell in dwells]
         self._planned, self._done, self._now = Counter(poses), Counter(poses[: len(points)]), _NEVER
-        self._placed = None
+        self._picture = None
         self.update()
 
     def begin(self, dwell: Dwell) -> None:
@@ -75,24 +91,51 @@ class PoseMap(Overview):
 
     def complete(self, dwell: Dwell, point: Point) -> None:  # noqa: ARG002  # where, not what
         """Mark a dwell as done."""
-        self._done[pose_of(dwell)] += 1
+        pose = pose_of(dwell)
+        self._done[pose] += 1
+        if self._picture is not None and pose in self._planned:
+            painter = _on_paper(self._picture)
+            self._draw_pose(painter, colours(self), pose, self._cells()[pose[0]])
+            painter.end()
         self.update()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802  # Qt's name
         """Take over another palette or text size."""
         super().changeEvent(event)
+        self._picture = None
         self.update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802  # Qt's name
+        """Have other circles."""
+        super().resizeEvent(event)
+        self._picture = None
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802, ARG002  # Qt's name
         """Draw it."""
-        painter, chosen = QPainter(self), colours(self)
+        painter, chosen, cells = QPainter(self), colours(self), self._cells()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        cells = self._cells()
+        self._picture = self._picture or self._drawn(chosen, cells)
+        painter.drawPixmap(0, 0, self._picture)
+        painter.setPen(QColor(chosen.ink))
         for mount, cell in cells.items():
-            self._draw_circle(painter, chosen, mount, cell)
-        self._draw_poses(painter, chosen, cells)
+            self._write(painter, mount, cell)
         if self._now in self._planned:
             self._draw_now(painter, chosen, cells[self._now[0]])
+
+    def _drawn(self, chosen: Colours, cells: dict[str, Cell]) -> QPixmap:
+        """Circles and poses."""
+        ratio = self.devicePixelRatioF()
+        picture = QPixmap(self.size() * ratio)
+        picture.setDevicePixelRatio(ratio)
+        picture.fill(Qt.GlobalColor.transparent)
+        painter = _on_paper(picture)
+        painter.setPen(QPen(QColor(chosen.grid), 1))
+        for cell in cells.values():
+            painter.drawEllipse(cell.centre, cell.radius, cell.radius)
+        for pose in self._planned:
+            self._draw_pose(painter, chosen, pose, cells[pose[0]])
+        painter.end()
+        return picture
 
     def _cells(self) -> dict[str, Cell]:
         """One cell for each mount, as large as they can be."""
@@ -112,44 +155,25 @@ class PoseMap(Overview):
         rows = -(-max(len(self.mounts), 1) // columns)
         return min(self.width() / columns, self.height() / rows) / 2 - 10.0
 
-    def _draw_circle(self, painter: QPainter, chosen: Colours, mount: str, cell: Cell) -> None:
-        painter.setPen(QPen(QColor(chosen.grid), 1))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawEllipse(cell.centre, cell.radius, cell.radius)
-        painter.setPen(QColor(chosen.ink))
-        font = self.font()
-        name = mount_name(mount)
-        advance = max(painter.fontMetrics().horizontalAdvance(name), 1)
-        font.setPointSizeF(font.pointSizeF() * min(1.0, 1.5 * cell.radius / advance))
-        painter.setFont(font)
-        box = QRectF(cell.centre.x() - cell.radius, cell.centre.y() - cell.radius, 2 * cell.radius, 2 * cell.radius)
+    def _write(self, painter: QPainter, mount: str, cell: Cell) -> None:
+        """What a circle is called, and how much of it is done."""
         done = sum(count for (of, _), count in self._done.items() if of == mount)
         planned = sum(count for (of, _), count in self._planned.items() if of == mount)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{name}\n{done}/{planned}")
+        text, half = f"{mount_name(mount)}\n{done}/{planned}", _INSIDE * cell.radius
+        room = QRectF(cell.centre.x() - half, cell.centre.y() - half, 2 * half, 2 * half)
+        painter.setFont(fitting_font(self.font(), text, room))
+        painter.drawText(room, _WRAPPED, text)
 
-    def _draw_poses(self, painter: QPainter, chosen: Colours, cells: dict[str, Cell]) -> None:
-        to_come, done = QPen(QColor(chosen.pale), 1.2), QPen(QColor(chosen.accent), 1.2)
-        hollow, filled = QBrush(Qt.BrushStyle.NoBrush), QBrush(QColor(chosen.accent))
-        painter.setPen(to_come)
-        painter.setBrush(hollow)
-        for (pose, planned), place in zip(self._planned.items(), self._places(cells), strict=True):
-            share, size = self._done.get(pose, 0) / planned, self._size_in(cells[pose[0]])
-            if not share:
-                painter.drawEllipse(place, size, size)
-                continue
-            painter.setPen(done)
-            painter.drawEllipse(place, size, size)
-            painter.setBrush(filled)
+    def _draw_pose(self, painter: QPainter, chosen: Colours, pose: Pose, cell: Cell) -> None:
+        """Draw a pose over what it was before, of which there was never more."""
+        share, size, place = self._done.get(pose, 0) / self._planned[pose], self._size_in(cell), _on(cell, pose[1])
+        painter.setPen(QPen(QColor(chosen.accent if share else chosen.pale), 1.2))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawEllipse(place, size, size)
+        if share:
+            painter.setBrush(QColor(chosen.accent))
             box = QRectF(place.x() - size, place.y() - size, 2 * size, 2 * size)
             painter.drawPie(box, 90 * 16, round(-360 * 16 * min(share, 1.0)))
-            painter.setPen(to_come)
-            painter.setBrush(hollow)
-
-    def _places(self, cells: dict[str, Cell]) -> list[QPointF]:
-        """Of every pose; they stay where they are until the map is as large as another one, or of another programme."""
-        if self._placed is None or self._placed[0] != self.size():
-            self._placed = self.size(), [_on(cells[mount], angle_deg) for mount, angle_deg in self._planned]
-        return self._placed[1]
 
     def _draw_now(self, painter: QPainter, chosen: Colours, cell: Cell) -> None:
         place, size = _on(cell, self._now[1]), max(6.0, cell.radius * 0.11)
@@ -166,3 +190,20 @@ class PoseMap(Overview):
 def _on(cell: Cell, angle_deg: float) -> QPointF:
     angle_rad = math.radians(angle_deg)
     return cell.centre + QPointF(math.sin(angle_rad), -math.cos(angle_rad)) * cell.radius
+
+
+def _on_paper(picture: QPixmap) -> QPainter:
+    painter = QPainter(picture)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    return painter
+
+
+def fitting_font(font: QFont, text: str, room: QRectF) -> QFont:
+    """The largest of a few sizes of a font in which a text, wrapped between words, has room; else the smallest."""
+    usual_pt = font.pointSizeF()
+    for scale in _SCALES:
+        font.setPointSizeF(scale * usual_pt)
+        needed = QFontMetricsF(font).boundingRect(room, _WRAPPED, text)
+        if needed.width() <= room.width() and needed.height() <= room.height():
+            break
+    return font
