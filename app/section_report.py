@@ -12,6 +12,7 @@ from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Verdict
 from tumble.calibrations.core.view import Chapter, Quantity, Section
 from tumble.calibrations.records.entry import NOT_JUDGED
+from tumble.calibrations.report.conditions import temperatures_degc
 from tumble.calibrations.report.document import Front, Picture, Report
 from tumble.calibrations.report.origin import origin
 from tumble.calibrations.tracing.chain import Chain
@@ -87,6 +88,7 @@ def section_report(
             record_id=record_id,
             revision=revision,
             picture=picture,
+            temperatures_degc=temperatures_degc(traced.measurement.observations),
         ),
         notices=list(dict.fromkeys([*applied, *traced.warnings, *traced.loop_warnings, *contradictions])),
         chapters=tuple(_chapters(others, traced.provenance)),

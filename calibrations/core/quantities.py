@@ -99,8 +99,7 @@ def format_in_unit(value: float, uncertainty: float | None, unit: str) -> str:
 def format_interval(low: float, high: float, unit: str) -> str:
     """`5 to 38 mV/g`: both ends to two digits of the half width."""
     half = (high - low) / 2
-    ends = max(abs(low), abs(high))
-    exponent = prefix_exponent(ends, unit)
+    exponent = _exponent((low + high) / 2, half, unit)
     places = two_digit_places(half) + exponent if half > 0 else 3
     ends_text = " to ".join(fixed(end / 10.0**exponent, places) for end in (low, high))
     return join(ends_text, prefixed(unit, exponent))

@@ -86,12 +86,19 @@ def _facts(front: Front) -> dict[str, str]:
     provenance = front.provenance
     return {
         Message("Measured"): dated(provenance.measured_at, language()),
+        Message("Temperature"): _temperature(front.temperatures_degc),
         Message("Lot"): provenance.lot,
         Message("Operator"): provenance.operator,
         Message("Programme"): provenance.programme_name,
         Message("Stand"): provenance.stand_name,
         Message("Record"): _record(front),
     }
+
+
+def _temperature(range_degc: tuple[float, float] | None) -> str:
+    """To a tenth of a kelvin; one number where both ends are the same."""
+    ends = dict.fromkeys(f"{end:.1f}" for end in range_degc or ())
+    return say(f"{' to '.join(ends)} °C") if ends else ""
 
 
 def _record(front: Front) -> str:

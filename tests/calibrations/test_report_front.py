@@ -4,6 +4,7 @@ import math
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from report_examples import face_up, flips_only, page_of, provenance, reversed_
 from test_report_page import text_of
@@ -260,3 +261,19 @@ def test_what_a_file_says_is_no_number():
     as_written = Section(title="", rows=[("hash", AsWritten("12ab")), ("limits", AsWritten("5"))])
     assert written_section(as_written)["right"] == [False, False]
     assert written_section(Section(title="", rows=[("a", "12"), ("b", "5")]))["right"] == [False, True]
+
+
+def test_the_temperature_while_it_was_measured_stands_in_front():
+    rows = reversed_().observations
+    warm = replace(rows, temperature_degc=np.where(rows.row > 3, 23.14, np.where(rows.row > 1, 22.96, np.nan)))
+    assert ("Temperature", "23.0 to 23.1 °C") in front_of(replace(reversed_(), observations=warm))["facts"]
+    steady = replace(rows, temperature_degc=np.full(len(rows), 23.0))
+    german = front_of(replace(reversed_(), observations=steady), language=Language.GERMAN)["facts"]
+    assert ("Temperatur", "23,0 °C") in german
+
+
+@pytest.mark.parametrize("temperature_degc", [None, np.nan])
+def test_where_nothing_told_the_temperature_none_is_stated(temperature_degc):
+    rows = reversed_().observations
+    untold = replace(rows, temperature_degc=temperature_degc and np.full(len(rows), temperature_degc))
+    assert "Temperature" not in dict(front_of(replace(reversed_(), observations=untold))["facts"])
