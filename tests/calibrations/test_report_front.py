@@ -11,6 +11,7 @@ from test_report_page import text_of
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.quantities import format_expanded
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.report import calibration_report
@@ -23,7 +24,6 @@ from tumble.calibrations.report.instruments import instruments
 from tumble.calibrations.report.language import written_in
 from tumble.calibrations.report.limit_bar import limit_bar
 from tumble.calibrations.report.paper import pdf
-from tumble.calibrations.report.values import expanded
 from tumble.calibrations.report.written import written, written_section
 from tumble.messages import AsWritten, Language, Message
 
@@ -238,8 +238,8 @@ def test_what_g_is_stands_only_where_a_unit_holds_it():
 
 
 def test_both_sides_of_an_interval_end_at_the_place_of_the_smaller():
-    assert expanded(2.5000011, (2.499937, 2.5007811), "V") == "2.500001 (+0.000780 / -0.000064) V"
-    assert expanded(1.0, (1.0, 1.4), "V") == "1.00 (+0.40 / -0.00) V"
+    assert format_expanded(2.5000011, (2.499937, 2.5007811), "V") == "2.500001 (+0.000780 / -0.000064) V"
+    assert format_expanded(1.0, (1.0, 1.4), "V") == "1.00 (+0.40 / -0.00) V"
 
 
 def test_what_shakes_a_unit_is_among_the_instruments():
