@@ -30,7 +30,8 @@ _LABELS: Final = {
     "page": Message("page {page} of {pages}", page="{page}", pages="{pages}"),
     "reset": Message("whole figure"),
     "hint": Message(
-        "Drag, or wheel with Ctrl: zoom. Double click: whole figure. The nearest value stands at the pointer."
+        "Drag, or wheel with Ctrl: zoom. Double click: whole figure. The nearest value stands at the pointer. Keys: "
+        "arrows go from value to value, + and - zoom, Shift with arrows moves, 0 is the whole figure."
     ),
     "issued": Message("Place and date"),
     "authorised": Message("Name and signature"),
