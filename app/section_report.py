@@ -105,7 +105,7 @@ def table_report(method: Method, result: Result, provenance: Provenance, name: s
             provenance=provenance,
             parameters=result.parameters,
             verdict=NOT_JUDGED,
-            quantities=quantities(method),
+            quantities=quantities(result) or quantities(method),
             record_id=record_id,
             picture=picture,
         ),
@@ -114,9 +114,9 @@ def table_report(method: Method, result: Result, provenance: Provenance, name: s
     )
 
 
-def quantities(method: Method) -> Mapping[str, Quantity]:
-    """What the parameters of a method are called; none where it does not say."""
-    return method.quantities if isinstance(method, Worded) else {}
+def quantities(whose: Method | Result) -> Mapping[str, Quantity]:
+    """What the parameters of a method or a result are called; none where it does not say."""
+    return whose.quantities if isinstance(whose, Worded) else {}
 
 
 def _with_picture(sections: Sequence[Section]) -> tuple[Picture | None, Sequence[Section]]:

@@ -248,6 +248,7 @@ def test_the_report_on_runs_shows_what_is_shared_and_what_cannot_be_told(tmp_pat
     assert tumble("close-loop", tmp_path / "runs.csv", "--report", tmp_path / "runs.html").status == 0
     text = (tmp_path / "runs.html").read_text("utf-8")
     assert "break in the temperature dependence" in text
+    assert "constant term; it follows temperature" in text
     assert "What these runs cannot tell" in text
 
 
