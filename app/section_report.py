@@ -12,6 +12,7 @@ from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Verdict
 from tumble.calibrations.core.view import Chapter, Quantity, Section
 from tumble.calibrations.records.entry import NOT_JUDGED
+from tumble.calibrations.report.conditions import temperatures_degc
 from tumble.calibrations.report.document import Front, Picture, Report
 from tumble.calibrations.report.origin import origin
 from tumble.calibrations.tracing.chain import Chain
@@ -87,6 +88,7 @@ def section_report(
             record_id=record_id,
             revision=revision,
             picture=picture,
+            temperatures_degc=temperatures_degc(traced.measurement.observations),
         ),
         notices=list(dict.fromkeys([*applied, *traced.warnings, *traced.loop_warnings, *contradictions])),
         chapters=tuple(_chapters(others, traced.provenance)),
@@ -103,7 +105,7 @@ def table_report(method: Method, result: Result, provenance: Provenance, name: s
             provenance=provenance,
             parameters=result.parameters,
             verdict=NOT_JUDGED,
-            quantities=quantities(method),
+            quantities=quantities(result) or quantities(method),
             record_id=record_id,
             picture=picture,
         ),
@@ -112,9 +114,9 @@ def table_report(method: Method, result: Result, provenance: Provenance, name: s
     )
 
 
-def quantities(method: Method) -> Mapping[str, Quantity]:
-    """What the parameters of a method are called; none where it does not say."""
-    return method.quantities if isinstance(method, Worded) else {}
+def quantities(whose: Method | Result) -> Mapping[str, Quantity]:
+    """What the parameters of a method or a result are called; none where it does not say."""
+    return whose.quantities if isinstance(whose, Worded) else {}
 
 
 def _with_picture(sections: Sequence[Section]) -> tuple[Picture | None, Sequence[Section]]:

@@ -94,7 +94,7 @@ class Method(Protocol):
 
 @runtime_checkable
 class Worded(Protocol):
-    """A method that says what its parameters are called where people read them."""
+    """A method that says what its parameters are called where people read them; or a result, where tables name them."""
 
     @property
     def quantities(self) -> Mapping[str, Quantity]:

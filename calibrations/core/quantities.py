@@ -68,7 +68,16 @@ def format_quantity(value: float, uncertainty: float | None, unit: str) -> str:
     return f"({text.value} ± {text.uncertainty}) {text.unit}"
 
 
-def format_sides(value: float, below: float, above: float, unit: str) -> str:
+def format_expanded(value: float, interval: tuple[float, float], unit: str) -> str:
+    """A value with its 95% interval: `(1.01643 ± 0.00036) V/g`, or both sides where they differ in the digits shown."""
+    low, high = interval
+    below, above = (rounded(value, side, unit) for side in (value - low, high - value))
+    if not math.isfinite(high - low) or below.uncertainty == above.uncertainty:
+        return format_quantity(value, (high - low) / 2, unit)
+    return _format_sides(value, value - low, high - value, unit)
+
+
+def _format_sides(value: float, below: float, above: float, unit: str) -> str:
     """`2.500001 (+0.000780 / -0.000064) V`: all end at one decimal place, which the smaller side of two decides.
 
     No more than one place beyond that of their mean, so that a side of nearly nothing adds no digits.
@@ -99,8 +108,7 @@ def format_in_unit(value: float, uncertainty: float | None, unit: str) -> str:
 def format_interval(low: float, high: float, unit: str) -> str:
     """`5 to 38 mV/g`: both ends to two digits of the half width."""
     half = (high - low) / 2
-    ends = max(abs(low), abs(high))
-    exponent = prefix_exponent(ends, unit)
+    exponent = _exponent((low + high) / 2, half, unit)
     places = two_digit_places(half) + exponent if half > 0 else 3
     ends_text = " to ".join(fixed(end / 10.0**exponent, places) for end in (low, high))
     return join(ends_text, prefixed(unit, exponent))

@@ -36,6 +36,8 @@ class Front:
     """Empty where the result is in no store."""
     revision: int = 1
     picture: Picture | None = None
+    temperatures_degc: tuple[float, float] | None = None
+    """The lowest and the highest while it was measured; None where nothing told it."""
     changes: "Mapping[str, Change]" = field(default_factory=dict)
     """Of the values since the unit was calibrated before, by name; one that is not among them has no earlier value."""
 

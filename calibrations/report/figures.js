@@ -14,7 +14,8 @@
   const written = (number, digits) => {
     const size = Math.abs(number);
     const text = size && (size >= 1e6 || size < 1e-4) ? number.toExponential(2) : number.toFixed(digits);
-    return comma ? text.replace(".", ",") : text;
+    const shown = /[1-9]/.test(text) ? text : text.replace("-", "");
+    return comma ? shown.replace(".", ",") : shown;
   };
 
   class Axis {
@@ -94,7 +95,13 @@
     }
     listen() {
       this.glass.addEventListener("pointermove", (event) => this.move(event));
-      this.glass.addEventListener("pointerleave", () => this.cursor.setAttribute("visibility", "hidden"));
+      for (const left of ["pointerleave", "blur"]) {
+        this.glass.addEventListener(left, () => this.cursor.setAttribute("visibility", "hidden"));
+      }
+      this.glass.setAttribute("tabindex", 0);
+      this.glass.setAttribute("role", "img");
+      this.glass.setAttribute("aria-label", hint);
+      this.glass.addEventListener("keydown", (event) => this.key(event));
       if (!this.axes.some((axis) => axis.free)) return;
       this.glass.style.cursor = "crosshair";
       this.glass.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
@@ -109,8 +116,37 @@
     wheel(event) {
       if (!event.ctrlKey) return; // the page scrolls on
       event.preventDefault();
-      const places = this.where(event);
-      const factor = event.deltaY > 0 ? 1.25 : 0.8;
+      this.zoom(event.deltaY > 0 ? 1.25 : 0.8, this.where(event));
+    }
+    key(event) {
+      const step = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+      const zoom = { "+": 0.8, "=": 0.8, "-": 1.25 }[event.key];
+      if (event.ctrlKey || event.altKey || event.metaKey) return;
+      if (step && event.shiftKey) this.pan(event.key.match(/Up|Down/) ? 1 : 0, step);
+      else if (step) this.next(step);
+      else if (zoom) this.zoom(zoom, this.at ? this.moved(this.at) : [this.width / 2, this.height / 2]);
+      else if (event.key === "0" || event.key === "Escape") this.reset();
+      else return;
+      event.preventDefault();
+      if (this.at) this.show(...this.moved(this.at));
+    }
+    moved(point) { return this.axes.map((axis, which) => axis.moved(point[which])); }
+    next(step) {
+      this.ordered ??= [...this.points].sort((a, b) => a[0] - b[0] || b[1] - a[1]);
+      if (!this.ordered.length) return;
+      const from = this.at ? this.told(...this.moved(this.at)) : "";
+      let place = this.at ? this.ordered.indexOf(this.at) : step > 0 ? -1 : this.ordered.length;
+      do place += step; while (place in this.ordered && this.told(...this.moved(this.ordered[place])) === from);
+      if (place in this.ordered) this.at = this.ordered[place];
+    }
+    pan(which, step) {
+      const axis = this.axes[which];
+      if (!axis.free || !this.zoomed) return;
+      const by = (step * (axis.ends[1] - axis.ends[0])) / 5;
+      axis.ends = axis.ends.map((end) => end + by);
+      this.draw();
+    }
+    zoom(factor, places) {
       this.axes.forEach((axis, which) => {
         if (!axis.free) return;
         const centre = axis.at(places[which]);
@@ -148,11 +184,16 @@
         const far = (mx - x) ** 2 + (my - y) ** 2;
         if (far < 400 && (!best || far < best[0])) best = [far, mx, my];
       }
-      const [cx, cy] = best ? best.slice(1) : [x, y];
-      const texts = [[this.x, cx], [this.y, cy]].filter(([axis]) => axis.free)
-        .map(([axis, place]) => axis.text(axis.at(place)));
+      this.show(...(best ? best.slice(1) : [x, y]));
+    }
+    told(cx, cy) {
+      return [[this.x, cx], [this.y, cy]].filter(([axis]) => axis.free)
+        .map(([axis, place]) => axis.text(axis.at(place))).join("; ");
+    }
+    show(cx, cy) {
       this.line.setAttribute("d", `M${cx} 0V${this.height}M0 ${cy}H${this.width}`);
-      this.label.textContent = texts.join("; ");
+      this.label.textContent = this.told(cx, cy);
+      this.glass.setAttribute("aria-label", this.label.textContent);
       const wide = this.label.textContent.length * 6.6 + 8;
       const left = Math.min(Math.max(cx, 4), Math.max(this.width - wide, 4));
       this.label.setAttribute("x", left);
@@ -180,6 +221,7 @@
 
   for (const svg of document.querySelectorAll("svg.figure")) {
     const panels = [...svg.querySelectorAll("g.panel")].map((group, number) => new Panel(group, number));
+    svg.setAttribute("role", "group");
     const button = document.createElement("button");
     Object.assign(button, { type: "button", textContent: resetWord, hidden: true });
     button.addEventListener("click", () => panels.forEach((panel) => panel.reset()));

@@ -40,10 +40,12 @@ def drawn(figure: Sheet) -> Markup:
     parts += [replace(frame, title_lines=lines).svg for frame in frames]
     if figure.scale:
         parts.append(_scale(*figure.scale, figure.width - _SCALE_WIDTH, top + 20.0, figure.height - 60.0))
+    high = top + rows * figure.height
     return Markup(
         f'<svg xmlns="http://www.w3.org/2000/svg" class="figure" id="figure-{escape(figure.name)}" role="img" '
-        f'aria-label="{escape(say(figure.description))}" viewBox="0 0 {figure.width:g} {top + rows * figure.height:g}" '
-        f'width="{figure.width / _PAGE * _PAGE_MM:.1f}mm" style="max-width:{100 * figure.width / _PAGE:.3g}%" '
+        f'aria-label="{escape(say(figure.description))}" viewBox="0 0 {figure.width:g} {high:g}" '
+        f'width="{figure.width / _PAGE * _PAGE_MM:.1f}mm" height="{high / _PAGE * _PAGE_MM:.1f}mm" '
+        f'style="max-width:{100 * figure.width / _PAGE:.3g}%;height:auto" '
         f'font-family="sans-serif" font-size="{SIZE}" fill="{_INK}">{"".join(parts)}</svg>'
     )
 

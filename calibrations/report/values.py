@@ -1,6 +1,5 @@
 """The table of the values to use: a line for each parameter, every cell as text."""
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
@@ -8,14 +7,7 @@ from typing import TYPE_CHECKING, Final
 from tumble.calibrations.core.coverage import coverage_factor
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
-from tumble.calibrations.core.quantities import (
-    format_concise,
-    format_limits,
-    format_limits_beside,
-    format_quantity,
-    format_sides,
-    rounded,
-)
+from tumble.calibrations.core.quantities import format_concise, format_expanded, format_limits, format_limits_beside
 from tumble.calibrations.core.verdict import Judgement, Outcome
 from tumble.calibrations.core.view import Quantity
 from tumble.calibrations.report.bars import drawn_bar
@@ -107,16 +99,7 @@ def stated(parameter: Parameter) -> str:
     assert parameter.value is not None, "asked of a parameter that has a value"
     if parameter.interval_95 is None:
         return format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)
-    return expanded(parameter.value, parameter.interval_95, parameter.unit)
-
-
-def expanded(value: float, interval: tuple[float, float], unit: str) -> str:
-    """Value and expanded uncertainty; with both sides where they differ in the digits shown."""
-    low, high = interval
-    below, above = (rounded(value, side, unit) for side in (value - low, high - value))
-    if not math.isfinite(high - low) or below.uncertainty == above.uncertainty:
-        return format_quantity(value, (high - low) / 2, unit)
-    return format_sides(value, value - low, high - value, unit)
+    return format_expanded(parameter.value, parameter.interval_95, parameter.unit)
 
 
 def coverage(parameter: Parameter) -> str:

@@ -30,7 +30,8 @@ _LABELS: Final = {
     "page": Message("page {page} of {pages}", page="{page}", pages="{pages}"),
     "reset": Message("whole figure"),
     "hint": Message(
-        "Drag, or wheel with Ctrl: zoom. Double click: whole figure. The nearest value stands at the pointer."
+        "Drag, or wheel with Ctrl: zoom. Double click: whole figure. The nearest value stands at the pointer. Keys: "
+        "arrows go from value to value, + and - zoom, Shift with arrows moves, 0 is the whole figure."
     ),
     "issued": Message("Place and date"),
     "authorised": Message("Name and signature"),
@@ -86,12 +87,19 @@ def _facts(front: Front) -> dict[str, str]:
     provenance = front.provenance
     return {
         Message("Measured"): dated(provenance.measured_at, language()),
+        Message("Temperature"): _temperature(front.temperatures_degc),
         Message("Lot"): provenance.lot,
         Message("Operator"): provenance.operator,
         Message("Programme"): provenance.programme_name,
         Message("Stand"): provenance.stand_name,
         Message("Record"): _record(front),
     }
+
+
+def _temperature(range_degc: tuple[float, float] | None) -> str:
+    """To a tenth of a kelvin; one number where both ends are the same."""
+    ends = dict.fromkeys(f"{end:.1f}" for end in range_degc or ())
+    return say(f"{' to '.join(ends)} °C") if ends else ""
 
 
 def _record(front: Front) -> str:

@@ -14,18 +14,31 @@ Closed = ClosedLoop[Any, Any, Any]
 
 
 def parameters_section(loop: Closed) -> Section:
-    """Each parameter by both models."""
+    """Each parameter by both models; by one where they say the same."""
     before, after = loop.declared.parameters, loop.augmented.parameters
-    return Section(
-        title=Message("Parameters"),
-        lines=[each.remark for each in after.values() if each.remark],
-        headings=(Message("Parameter"), Message("Declared model"), Message("With what was found")),
-        rows=[
+    headings, rows = beside_each_other(
+        (Message("Parameter"),),
+        [
             (name, value_text(before[name]) if name in before else "", value_text(parameter))
             for name, parameter in after.items()
         ],
+    )
+    return Section(
+        title=Message("Parameters"),
+        lines=[each.remark for each in after.values() if each.remark],
+        headings=headings,
+        rows=rows,
         brief=True,
     )
+
+
+def beside_each_other(
+    first: Sequence[str], rows: Sequence[tuple[str, ...]]
+) -> tuple[Sequence[str], Sequence[tuple[str, ...]]]:
+    """Headings and rows of a table whose last two columns are both models; one column where every row says the same."""
+    if all(row[-2] == row[-1] for row in rows):
+        return (*first, Message("Declared model")), [row[:-1] for row in rows]
+    return (*first, Message("Declared model"), Message("With what was found")), rows
 
 
 def traced_section(loop: Closed, found: Sequence[Finding], not_traced: str = "") -> Section:
@@ -50,18 +63,20 @@ def traced_section(loop: Closed, found: Sequence[Finding], not_traced: str = "")
 
 
 def errors_section(loop: Closed, held_out: str, unit: str) -> Section:
-    """Errors by both models; `held_out` says what is held out."""
-    models = (loop.declared, loop.augmented)
-    return Section(
-        title=Message("Before and after"),
-        lines=(held_out,),
-        headings=("", Message("Declared model"), Message("With what was found")),
-        rows=[
-            (Message("residual, r.m.s."), *(_error(model.residual_rms, unit) for model in models)),
-            (Message("held-out error, r.m.s."), *(_error(model.held_out_rms, unit) for model in models)),
+    """Errors by both models, or by one where they are the same; `held_out` says what is held out."""
+    before, after = loop.declared, loop.augmented
+    headings, rows = beside_each_other(
+        ("",),
+        [
+            (name, _error(each_before, unit), _error(each_after, unit))
+            for name, each_before, each_after in (
+                (Message("residual, r.m.s."), before.residual_rms, after.residual_rms),
+                (Message("held-out error, r.m.s."), before.held_out_rms, after.held_out_rms),
+            )
         ],
-        brief=True,
     )
+    title = Message("Before and after") if len(headings) > 2 else Message("Errors of the model")
+    return Section(title=title, lines=(held_out,), headings=headings, rows=rows, brief=True)
 
 
 def value_text(parameter: Parameter) -> str:

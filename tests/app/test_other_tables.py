@@ -257,7 +257,8 @@ def test_the_report_on_runs_shows_what_is_shared_and_what_cannot_be_told(tmp_pat
     (tmp_path / "runs.csv").write_text("\n".join(["run,sensor_degC,bias_mV", *lines]), "utf-8")
     assert tumble("close-loop", tmp_path / "runs.csv", "--report", tmp_path / "runs.html").status == 0
     text = (tmp_path / "runs.html").read_text("utf-8")
-    assert "temperature_break" in text
+    assert "break in the temperature dependence" in text
+    assert "constant term; it follows temperature" in text
     assert "What these runs cannot tell" in text
 
 

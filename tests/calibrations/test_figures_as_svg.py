@@ -215,3 +215,9 @@ def test_a_line_that_doubles_back_is_drawn_whole():
     turn = np.linspace(0.0, 2.0 * np.pi, 5000)
     (path,) = paths(drawn(Line(x=np.cos(turn), y=np.sin(turn))))
     assert path.count("M") + path.count("L") == 5000
+
+
+def test_on_paper_a_figure_is_as_high_as_it_is_drawn():
+    (wide,), (high,) = (re.findall(rf'{side}="([\d.]+)mm"', titled("a")) for side in ("width", "height"))
+    *_, drawn_wide, drawn_high = re.findall(r'viewBox="([\d.]+) ([\d.]+) ([\d.]+) ([\d.]+)"', titled("a"))[0]
+    assert float(high) / float(wide) == pytest.approx(float(drawn_high) / float(drawn_wide), rel=0.01)

@@ -4,12 +4,14 @@ import math
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from report_examples import face_up, flips_only, page_of, provenance, reversed_
 from test_report_page import text_of
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.quantities import format_expanded
 from tumble.calibrations.core.verdict import Model, Outcome, Verdict
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.report import calibration_report
@@ -22,7 +24,6 @@ from tumble.calibrations.report.instruments import instruments
 from tumble.calibrations.report.language import written_in
 from tumble.calibrations.report.limit_bar import limit_bar
 from tumble.calibrations.report.paper import pdf
-from tumble.calibrations.report.values import expanded
 from tumble.calibrations.report.written import written, written_section
 from tumble.messages import AsWritten, Language, Message
 
@@ -237,8 +238,8 @@ def test_what_g_is_stands_only_where_a_unit_holds_it():
 
 
 def test_both_sides_of_an_interval_end_at_the_place_of_the_smaller():
-    assert expanded(2.5000011, (2.499937, 2.5007811), "V") == "2.500001 (+0.000780 / -0.000064) V"
-    assert expanded(1.0, (1.0, 1.4), "V") == "1.00 (+0.40 / -0.00) V"
+    assert format_expanded(2.5000011, (2.499937, 2.5007811), "V") == "2.500001 (+0.000780 / -0.000064) V"
+    assert format_expanded(1.0, (1.0, 1.4), "V") == "1.00 (+0.40 / -0.00) V"
 
 
 def test_what_shakes_a_unit_is_among_the_instruments():
@@ -260,3 +261,19 @@ def test_what_a_file_says_is_no_number():
     as_written = Section(title="", rows=[("hash", AsWritten("12ab")), ("limits", AsWritten("5"))])
     assert written_section(as_written)["right"] == [False, False]
     assert written_section(Section(title="", rows=[("a", "12"), ("b", "5")]))["right"] == [False, True]
+
+
+def test_the_temperature_while_it_was_measured_stands_in_front():
+    rows = reversed_().observations
+    warm = replace(rows, temperature_degc=np.where(rows.row > 3, 23.14, np.where(rows.row > 1, 22.96, np.nan)))
+    assert ("Temperature", "23.0 to 23.1 °C") in front_of(replace(reversed_(), observations=warm))["facts"]
+    steady = replace(rows, temperature_degc=np.full(len(rows), 23.0))
+    german = front_of(replace(reversed_(), observations=steady), language=Language.GERMAN)["facts"]
+    assert ("Temperatur", "23,0 °C") in german
+
+
+@pytest.mark.parametrize("temperature_degc", [None, np.nan])
+def test_where_nothing_told_the_temperature_none_is_stated(temperature_degc):
+    rows = reversed_().observations
+    untold = replace(rows, temperature_degc=temperature_degc and np.full(len(rows), temperature_degc))
+    assert "Temperature" not in dict(front_of(replace(reversed_(), observations=untold))["facts"])

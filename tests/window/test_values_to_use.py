@@ -8,12 +8,15 @@ from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.report.limit_bar import limit_bar
+from tumble.calibrations.report.values import stated
 from tumble.messages import Language
+from tumble.window.generic import presenting
 from tumble.window.look.language import speak
 from tumble.window.look.shades import LIGHT
 from tumble.window.widgets.limit_bar import draw_bar
 from tumble.window.widgets.values_table import ValuesTable
 from tumble.window.work.presentation import ParameterLine
+from tumble.window.work.preview import value_text
 
 
 def line(name="kx", **said):
@@ -139,3 +142,9 @@ def test_a_second_calibration_of_a_unit_is_held_against_the_first(driver, tiny, 
     changed = {each.name: each for each in driver.window.result.presentation.table if each.change}
     assert {"u0", "kx"} <= set(changed)
     assert all(" ± " in each.change and each.since for each in changed.values())
+
+
+def test_window_preview_and_report_state_a_lopsided_interval_alike():
+    lopsided = Parameter(name="alpha0", unit="deg", value=0.1, standard_uncertainty=0.4, interval_95=(-1.2, 0.5))
+    told = "0.10 (+0.40 / -1.30) °"
+    assert [presenting._line(lopsided, None, None).value, value_text(lopsided), stated(lopsided)] == [told] * 3

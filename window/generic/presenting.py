@@ -8,9 +8,9 @@ from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.quantities import (
     format_concise,
+    format_expanded,
     format_interval,
     format_number,
-    format_quantity,
 )
 from tumble.calibrations.core.verdict import Judgement, Outcome, Verdict
 from tumble.calibrations.core.view import Section
@@ -112,5 +112,5 @@ def _numbers(parameter: Parameter) -> tuple[str, str, str]:
     alone = "" if standard is None else format_number(standard, unit, 2)
     if parameter.interval_95 is None:
         return format_concise(parameter.value, standard, unit), "", alone
-    low, high = parameter.interval_95
-    return format_quantity(parameter.value, (high - low) / 2, unit), format_interval(low, high, unit), alone
+    interval = parameter.interval_95
+    return format_expanded(parameter.value, interval, unit), format_interval(*interval, unit), alone

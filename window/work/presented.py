@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
+from tumble.calibrations.core.quantities import format_expanded
 from tumble.calibrations.core.verdict import Model, Verdict
 from tumble.window.look.language import spoken
 from tumble.window.work.activity import Concluded
@@ -104,11 +105,9 @@ def _doubts(folder: Path, record: "Record | None") -> tuple[str, ...]:
 
 def _declared(record: "Record | None") -> dict[str, str]:
     """Value and expanded uncertainty of the declared model, by name, where others are to be used."""
-    from tumble.calibrations.report.values import expanded
-
     told = record.parameters.values() if record and record.model is Model.AUGMENTED else ()
     return {
-        each.name: expanded(each.value, each.interval_95, each.unit)
+        each.name: format_expanded(each.value, each.interval_95, each.unit)
         for each in told
         if each.value is not None and each.interval_95 is not None
     }

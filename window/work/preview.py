@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from tumble.calibrations.core.quantities import format_concise, format_quantity
+from tumble.calibrations.core.quantities import format_concise, format_expanded
 from tumble.calibrations.core.verdict import Outcome
 from tumble.calibrations.records.parameter import RecordedParameter
 from tumble.calibrations.records.record import Record
@@ -71,5 +71,4 @@ def value_text(parameter: RecordedParameter) -> str:
         return ""
     if parameter.interval_95 is None:
         return format_concise(parameter.value, parameter.standard_uncertainty, parameter.unit)
-    low, high = parameter.interval_95
-    return format_quantity(parameter.value, (high - low) / 2, parameter.unit)
+    return format_expanded(parameter.value, parameter.interval_95, parameter.unit)

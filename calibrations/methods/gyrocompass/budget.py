@@ -49,7 +49,7 @@ def _listed(scene: GyrocompassScene, stand: TurntableUncertainty) -> Iterator[So
     rows, ones = scene.observations, np.ones(scene.dwells)
     yield Source(
         name=Message("reading of the pickoff"),
-        symbol=Message("{size:g}° at every setting", size=stand.azimuth_deg or 0.0),
+        symbol=Message("{arcsec:g}″ at every setting", arcsec=round(3600 * (stand.azimuth_deg or 0.0), 6)),
         errors_v=scene.turned(np.deg2rad(ones * (stand.azimuth_deg or 0.0)))[:, None],
         shared_by=np.repeat(settings(rows.azimuth_deg % 360.0), scene.outputs),
     )

@@ -7,12 +7,12 @@ from typing import Any
 
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.sentences import series
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Quantity, Section
 from tumble.calibrations.methods.temperature.columns import Column, named, says_runs
 from tumble.calibrations.methods.temperature.document import document
 from tumble.calibrations.methods.temperature.entry import VERSION, entry
 from tumble.calibrations.methods.temperature.later import LaterValue, later_json, later_section, later_values
-from tumble.calibrations.methods.temperature.loop import TemperatureLoop, close_temperature_loop
+from tumble.calibrations.methods.temperature.loop import ParameterLoop, TemperatureLoop, close_temperature_loop
 from tumble.calibrations.methods.temperature.sections import sections
 from tumble.calibrations.methods.temperature.table import read_later, read_runs
 from tumble.calibrations.records.entry import Entry
@@ -39,6 +39,14 @@ class TemperatureResult:
         """The constant of every parameter, with what was found."""
         return {each.name: each.augmented.parameters["constant"] for each in self.loop.parameters}
 
+    @property
+    def quantities(self) -> Mapping[str, Quantity]:
+        """What the constants are called: of a parameter that follows temperature it is no value that it ever has."""
+        return {
+            each.name: Quantity(symbol=each.name.removesuffix(f"_{each.unit}"), words=_words(each))
+            for each in self.loop.parameters
+        }
+
     def document(self) -> dict[str, Any]:
         """The result as `tumble.loop/1`."""
         return document(self.loop) | ({"later": later_json(self.later)} if self.later else {})
@@ -52,6 +60,10 @@ class TemperatureResult:
         """What is shown."""
         held = [later_section(self.later)] if self.later else []
         return [set_aside_section(self.name, self.loop.runs.set_aside), *held, *sections(self.loop)]
+
+
+def _words(parameter: ParameterLoop) -> Message:
+    return Message("constant term; it follows temperature") if parameter.effects else Message("constant")
 
 
 @dataclass(frozen=True)

@@ -39,10 +39,9 @@ def mismatch_map(loop: TriadLoop) -> Figure:
     found = position_mismatch(loop)
     most = max(float(np.abs(each).max()) for each in (found.before_arcsec, found.after_arcsec)) or 1.0
     inner, outer = _within_turn(found.inner_deg), _within_turn(found.outer_deg)
-    titled = {
-        Message("declared model"): found.before_arcsec,
-        Message("with what was found"): found.after_arcsec,
-    }
+    titled = {Message("declared model"): found.before_arcsec}
+    if not np.allclose(found.before_arcsec, found.after_arcsec, rtol=0.0, atol=1e-6):
+        titled[Message("with what was found")] = found.after_arcsec
     panels = tuple(
         Panel(
             layers=(Shades(x=inner, y=outer, values=mismatch, most=most),),

@@ -8,6 +8,7 @@ from tumble.calibrations.methods.triad.figures import correlation_figure, mismat
 from tumble.calibrations.methods.triad.loop import TriadLoop
 from tumble.calibrations.methods.triad.mismatch import PositionMismatch, position_mismatch
 from tumble.calibrations.methods.triad.pose_picture import MOST, pose_pictures
+from tumble.calibrations.tracing.loop_sections import beside_each_other
 from tumble.messages import Message
 
 
@@ -22,19 +23,13 @@ def picture_sections(loop: TriadLoop) -> Iterator[Section]:
             "does not show in it."
         ),
     )
+    headings, rows = beside_each_other(("", Message("outer"), Message("inner"), Message("dwells")), _rows(found))
     yield Section(
         title=Message("Mismatch by position"),
         figure=lambda: mismatch_figure(loop),
         caption=Message("|a| - 1 of each dwell, before (circles) and with what was found (triangles)."),
-        headings=(
-            "",
-            Message("outer"),
-            Message("inner"),
-            Message("dwells"),
-            Message("Declared model"),
-            Message("With what was found"),
-        ),
-        rows=_rows(found),
+        headings=headings,
+        rows=rows,
     )
     yield Section(
         title=Message("Correlation"),

@@ -69,10 +69,11 @@ def pose_pictures(positions: Sequence[tuple[float, float]]) -> Markup:
             f"{_text((0.0, _HEIGHT / 2 + 0.15), caption, _INK, 0.3)}</g>"
         )
     title = Message("Pictures of the positions")
+    wide, high = _IN_ROW * _WIDTH, rows * height
     return Markup(
-        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-label="{escape(title)}" width="{_PAGE_MM:g}mm" '
-        f'style="max-width:100%" '
-        f'viewBox="0 0 {_IN_ROW * _WIDTH:g} {rows * height:g}">{"".join(parts)}</svg>'
+        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-label="{escape(title)}" '
+        f'width="{_PAGE_MM:g}mm" height="{high / wide * _PAGE_MM:.1f}mm" style="max-width:100%;height:auto" '
+        f'viewBox="0 0 {wide:g} {high:g}">{"".join(parts)}</svg>'
     )
 
 

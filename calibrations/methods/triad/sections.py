@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
-from tumble.calibrations.core.quantities import format_concise, format_number
+from tumble.calibrations.core.quantities import fixed, format_concise, format_number, join, two_digit_places
 from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.triad.correction import correction
 from tumble.calibrations.methods.triad.loop import TriadLoop
@@ -55,7 +55,7 @@ def _scalar(loop: TriadLoop) -> Section:
     spread = Message(
         "Mismatch |a| - 1: mean {mean}, standard deviation {deviation}, degrees of freedom {freedom}, largest "
         "{largest}. It does not see a rotation of the unit against the stand, nor any error of the stand's angles.",
-        mean=format_number(mismatch.mean_arcsec, "″", 2),
+        mean=join(fixed(mismatch.mean_arcsec, two_digit_places(deviation)) if deviation else "—", "″"),
         deviation="—" if deviation is None else format_number(deviation, "″", 2),
         freedom=mismatch.degrees_of_freedom,
         largest=format_number(mismatch.largest_arcsec, "″", 2),

@@ -14,6 +14,7 @@ from tumble.calibrations.methods.dividing_head.report.results import notices, re
 from tumble.calibrations.methods.dividing_head.report.stand import stand_sections
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
 from tumble.calibrations.methods.dividing_head.result import Calibration
+from tumble.calibrations.report.conditions import temperatures_degc
 from tumble.calibrations.report.document import Front, Report
 from tumble.calibrations.report.origin import origin
 from tumble.calibrations.tracing.chain import Chain
@@ -112,6 +113,7 @@ def calibration_report(
             record_id=record_id,
             revision=revision,
             picture=evidence.fit_picture(calibration),
+            temperatures_degc=temperatures_degc(calibration.observations),
         ),
         notices=notices(subject),
         chapters=(*(part.chapter(subject) for part in PARTS), origin(provenance)),

@@ -8,6 +8,7 @@ from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck
 from tumble.calibrations.core.quantities import (
     format_concise,
+    format_expanded,
     format_freedom,
     format_interval,
     format_number,
@@ -19,7 +20,7 @@ from tumble.calibrations.methods.dividing_head.analysis import lack_of_fit_warni
 from tumble.calibrations.methods.dividing_head.joint import LACK_OF_FIT_P
 from tumble.calibrations.methods.dividing_head.loop.sentences import comparisons, found_sentences, headline
 from tumble.calibrations.methods.dividing_head.report.subject import Subject
-from tumble.calibrations.report.values import coverage, expanded, limits_text
+from tumble.calibrations.report.values import coverage, limits_text
 from tumble.calibrations.report.verdicts import decided
 from tumble.messages import Message
 
@@ -171,7 +172,7 @@ def _row(parameter: Parameter, check: LimitCheck | None, judgement: Judgement | 
         )
     return ResultRow(
         name=parameter.name,
-        value=expanded(parameter.value, parameter.interval_95, parameter.unit),
+        value=format_expanded(parameter.value, parameter.interval_95, parameter.unit),
         interval=format_interval(*parameter.interval_95, parameter.unit),
         coverage=coverage(parameter),
         standard=_alone(parameter.standard_uncertainty, parameter.unit),
