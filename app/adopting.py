@@ -157,20 +157,25 @@ def _drafted(wish: Wish, key: Key, traced: Sequence[Traced], now: Callable[[], d
             kernel=found.kernel,
             gain=found.gain,
             spread=found.spread,
-            units=tuple(
-                UnitSeen(
-                    serial_number=each.provenance.serial_number,
-                    size=size.value,
-                    standard_uncertainty=size.standard_uncertainty,
-                    measured_at=each.provenance.measured_at,
-                    sources=each.provenance.sources,
-                )
-                for each, size in zip(traced, found.sizes, strict=True)
-            ),
+            units=_units(traced, found),
             operator=wish.operator,
             adopted_at=now(),
             program_version=program_identity().version,
         )
+    )
+
+
+def _units(traced: Sequence[Traced], found: Shared) -> tuple[UnitSeen, ...]:
+    """Each unit with the size that it has of what they share."""
+    return tuple(
+        UnitSeen(
+            serial_number=each.provenance.serial_number,
+            size=size.value,
+            standard_uncertainty=size.standard_uncertainty,
+            measured_at=each.provenance.measured_at,
+            sources=each.provenance.sources,
+        )
+        for each, size in zip(traced, found.sizes, strict=True)
     )
 
 

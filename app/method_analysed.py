@@ -15,7 +15,7 @@ from tumble.calibrations.core.method import Method
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Judgement, Model, Outcome, Verdict
-from tumble.calibrations.core.view import Drawn, Section
+from tumble.calibrations.core.view import Drawn, Section, drawn_first
 from tumble.calibrations.records.entry import Entry, loop_entry
 from tumble.calibrations.report.document import Report
 from tumble.calibrations.tracing.chain import Chain
@@ -90,7 +90,7 @@ class MethodAnalysed(ABC):
         )
 
     def figure(self) -> Drawn | None:
-        """Nothing is drawn of the declared model alone, unless the method does it."""
+        """Nothing is drawn of the declared model alone."""
         return None
 
     def as_json(self) -> dict[str, Any]:
@@ -125,6 +125,11 @@ class MethodTraced(MethodAnalysed):
     @abstractmethod
     def sections(self) -> Sequence[Section]:
         """What is shown of the closed loop, the answer first."""
+
+    def figure(self) -> Drawn | None:
+        """The figure of the first page of its report."""
+        first = drawn_first(self.sections())
+        return first.figure() if first and first.figure else None
 
     @property
     def entry(self) -> Entry:

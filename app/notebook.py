@@ -27,6 +27,7 @@ from tumble.app.stand_lock import holding
 from tumble.app.wiring import connect
 from tumble.calibrations.core.cells import TableError
 from tumble.calibrations.core.method import Method
+from tumble.calibrations.core.view import drawn_first
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.plan import Plan
@@ -211,9 +212,7 @@ def _of_method(method: Method, paths: Sequence[Path]) -> Result:
     closed = close_tables(method, paths)
 
     def draw() -> Picture:
-        figures = [section for section in closed.sections() if section.figure]
-        first = next((section for section in figures if section.brief), figures[0])
-        assert first.figure is not None
-        return Picture(first.figure().__html__())
+        first = drawn_first(tuple(closed.sections()))
+        return Picture(first.figure().__html__() if first and first.figure else "")
 
     return Result(name=paths[-1].stem, document=closed.document(), draw=draw)

@@ -10,7 +10,7 @@ from tumble.calibrations.core.method import Method, Result, Worded
 from tumble.calibrations.core.parameter import Parameter
 from tumble.calibrations.core.provenance import LimitCheck, Provenance
 from tumble.calibrations.core.verdict import Verdict
-from tumble.calibrations.core.view import Chapter, Quantity, Section
+from tumble.calibrations.core.view import Chapter, Quantity, Section, drawn_first
 from tumble.calibrations.records.entry import NOT_JUDGED
 from tumble.calibrations.report.conditions import temperatures_degc
 from tumble.calibrations.report.document import Front, Picture, Report
@@ -121,8 +121,7 @@ def quantities(whose: Method | Result) -> Mapping[str, Quantity]:
 
 def _with_picture(sections: Sequence[Section]) -> tuple[Picture | None, Sequence[Section]]:
     """The figure of the answer, or else the first one, for the first page; and the sections without it."""
-    drawn = [section for section in sections if section.figure]
-    chosen = next((section for section in drawn if section.brief), drawn[0] if drawn else None)
+    chosen = drawn_first(sections)
     if chosen is None or chosen.figure is None:
         return None, sections
     caption = (

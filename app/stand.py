@@ -37,7 +37,7 @@ from tumble.drivers.exciter_table import ExciterTable
 from tumble.drivers.own_file import hash_of_file, is_own_file
 from tumble.drivers.simulated.table import FIRST_WORLD, SimulatedTable
 from tumble.drivers.simulated.worlds import find_world
-from tumble.drivers.tables import HEAD, ChamberTable, DaqTable, HeadTable
+from tumble.drivers.tables import ChamberTable, DaqTable, HeadTable
 from tumble.messages import Message
 from tumble.procedures.errors import InputError
 from tumble.procedures.first_method import FIRST
@@ -94,11 +94,6 @@ class LoadedStand(WrittenStand):
     """By name; None for the simulated chamber."""
     exciter_drivers: Mapping[str, ExciterDriver | None] = field(default_factory=dict)
     """By name; None for the simulated exciter."""
-
-    @property
-    def head_driver(self) -> HeadDriver | None:
-        """Of the dividing head; None for the simulated one, and where there is none."""
-        return self.positioner_drivers.get(HEAD)
 
 
 def read_stand(path: Path | None = None, method: str = FIRST) -> WrittenStand:

@@ -122,26 +122,10 @@ def connect(
     bench = Bench(clock=clock, links=links, folder=loaded.folder, eyepiece=person.at(HEAD), check=attention.check)
     try:
         with attention.paid_to(check):
-            positioners, samplers = _instruments(loaded, bench, person)
-            environments = {name: _chamber(loaded, name, bench) for name in loaded.file.environments}
-            exciters = {name: _exciter(loaded, name, bench) for name in loaded.file.exciters}
+            stand = replace(_reached_stand(loaded, bench, person), attention=attention)
     except BaseException:
         links.close()
         raise
-    stand = Stand(
-        name=loaded.file.name,
-        positioners=positioners,
-        samplers=samplers,
-        clock=clock,
-        serials={name: table.serial for name, table in loaded.file.instruments.items()},
-        channels={name: table.channels for name, table in loaded.file.samplers.items() if table.channels},
-        environments=environments,
-        exciters=exciters,
-        most=loaded.file.most,
-        quiet=loaded.file.quiet,
-        titles=TITLES,
-        attention=attention,
-    )
     warnings = (Message.marked(_UNASKED, stand=loaded.file.name),) if backstage and attendant.imagined else ()
     made = Connected(
         stand=stand,
@@ -223,6 +207,25 @@ class _Person:
         called = "" if name == HEAD else name
         self.eyepieces[name] = OperatorEyepiece(asker, self._clock, tolerance_deg, called, asker.withdraw)
         return TurningEyepiece(self.eyepieces[name], self._hand(name)) if self._hand else self.eyepieces[name]
+
+
+def _reached_stand(loaded: LoadedStand, bench: Bench, person: _Person) -> Stand:
+    """A stand that is not simulated, with all its instruments. Raises `InputError`, `DeviceError`."""
+    file = loaded.file
+    positioners, samplers = _instruments(loaded, bench, person)
+    return Stand(
+        name=file.name,
+        positioners=positioners,
+        samplers=samplers,
+        clock=bench.clock,
+        serials={name: table.serial for name, table in file.instruments.items()},
+        channels={name: table.channels for name, table in file.samplers.items() if table.channels},
+        environments={name: _chamber(loaded, name, bench) for name in file.environments},
+        exciters={name: _exciter(loaded, name, bench) for name in file.exciters},
+        most=file.most,
+        quiet=file.quiet,
+        titles=TITLES,
+    )
 
 
 def _instruments(

@@ -36,6 +36,12 @@ class Section:
         return not (self.lines or self.rows or self.figure or self.code)
 
 
+def drawn_first(sections: Sequence[Section]) -> Section | None:
+    """The section whose figure stands for all of them: of the answer, or else the first; None where none has one."""
+    drawn = [section for section in sections if section.figure]
+    return next((section for section in drawn if section.brief), drawn[0] if drawn else None)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Chapter:
     """A part of a report: sections under one heading, their own titles below it."""

@@ -37,7 +37,7 @@ def own(write):
 
 
 def test_a_driver_of_a_file_is_found_beside_the_stand_file(own):
-    assert own().head_driver.connect is print
+    assert own().positioner_drivers["head"].connect is print
 
 
 def test_keys_of_its_own_have_types_and_defaults(own):

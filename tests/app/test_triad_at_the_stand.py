@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from app_jobs import tumble
 
+import tumble as product
 from tumble.procedures.recording.errors import RecordingError
 from tumble.procedures.recording.reader import read_recording
 
@@ -45,6 +46,11 @@ def test_one_command_leaves_record_and_report(folder):
     assert "Mismatch by position" in page
     assert "Correction a = C (u - b)" in page
     assert "1 of 1 record agrees" in tumble("records", "verify", "--store", "s").out
+
+
+def test_a_notebook_plots_what_its_loop_found():
+    run()
+    assert product.close_loop(RUN).plot().svg.startswith("<svg")
 
 
 def test_its_plan_names_both_axes():

@@ -37,51 +37,62 @@ def figures():
     """They are drawn here."""
 
 
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Positions, and a still recording of ten minutes."""
+    folder = tmp_path_factory.mktemp("still")
+    with pytest.MonkeyPatch.context() as patched:
+        patched.chdir(folder)
+        run("positions", POSITIONS)
+        run("still", STILL.format(dwell_s=600))
+    return folder
+
+
 @pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    run("positions", POSITIONS)
-    return tmp_path
+def there(folder, monkeypatch):
+    monkeypatch.chdir(folder)
 
 
-def closed(*files):
-    ran = tumble("close-loop", *files, "--json", "loop.json", "--report", "loop.html")
+def closed(*arguments):
+    ran = tumble("close-loop", *arguments, "--json", "loop.json", "--report", "loop.html")
     assert ran.status == 0, ran.err
-    return json.loads(Path("loop.json").read_text("utf-8"))
+    return json.loads(Path("loop.json").read_text("utf-8")), Path("loop.html").read_text("utf-8")
 
 
-def test_a_dwell_of_ten_minutes_tells_the_noise():
-    run("still", STILL.format(dwell_s=600))
+@pytest.fixture(scope="module")
+def recorded(folder):
+    """What is said of both, with a record of it: document and report."""
+    with pytest.MonkeyPatch.context() as patched:
+        patched.chdir(folder)
+        return closed("positions.mcap", "still.mcap", "--record", "--store", "s")
 
-    noise = closed("positions.mcap", "still.mcap")["allan"]
 
+def test_a_dwell_of_ten_minutes_tells_the_noise(recorded):
+    document, page = recorded
+
+    noise = document["allan"]
     assert noise["samples"] == 30_000
     assert {*noise["outputs"]} == {"u_x_V", "u_y_V", "u_z_V"}
     white = noise["outputs"]["u_x_V"]["coefficients"]["N"]
     assert white["value"] > 3.0 * white["standard_uncertainty"]
-    page = Path("loop.html").read_text("utf-8")
     assert "How long to average" in page
     assert "Allan deviation over averaging time" in page
 
 
 def test_short_dwells_tell_none():
-    run("still", STILL.format(dwell_s=100))
+    run("short", STILL.format(dwell_s=100))
 
-    assert "allan" not in closed("positions.mcap", "still.mcap")
-    assert "How long to average" not in Path("loop.html").read_text("utf-8")
+    document, page = closed("positions.mcap", "short.mcap")
+
+    assert "allan" not in document
+    assert "How long to average" not in page
 
 
-def test_a_record_of_files_beside_its_store_is_verified():
-    run("still", STILL.format(dwell_s=600))
-    ran = tumble("close-loop", "positions.mcap", "still.mcap", "--record", "--store", "s")
-    assert ran.status == 0, ran.err
-
+def test_a_record_of_files_beside_its_store_is_verified(recorded):
     assert "1 of 1 record agrees" in tumble("records", "verify", "--store", "s").out
 
 
 def test_the_noise_is_told_from_the_recording_alone_and_makes_a_programme():
-    run("still", STILL.format(dwell_s=600))
-
     ran = tumble("allan", "still.mcap", "--json", "a.json")
 
     assert ran.status == 0, ran.err

@@ -1,4 +1,5 @@
 from dataclasses import replace
+from functools import cache
 
 import pytest
 from loop_examples import clean, found
@@ -25,11 +26,13 @@ def link(before, after, **fields):
     return Link(experiment=experiment(**fields), recording="x.mcap", stand_time_s=90.0, before=before, after=after)
 
 
-THREE = stage(("k_xx", "k_yy", "k_zz"))
+@cache
+def three():
+    return stage(("k_xx", "k_yy", "k_zz"))
 
 
 def test_an_experiment_separates_what_is_no_rival_any_more():
-    done = link(THREE, stage(("k_yy", "k_xx"), k_zz=50.0))
+    done = link(three(), stage(("k_yy", "k_xx"), k_zz=50.0))
     assert done.separated == ("k_xx", "k_yy", "k_zz")
     assert done.rivals_after == ("k_yy", "k_xx")
     assert done.decision == "against k_zz: k_yy or k_xx remain"
@@ -37,25 +40,25 @@ def test_an_experiment_separates_what_is_no_rival_any_more():
 
 
 def test_the_true_one_may_be_one_that_was_only_possible():
-    done = link(THREE, stage(("k_zz",), k_xx=30.0, k_yy=70.0))
+    done = link(three(), stage(("k_zz",), k_xx=30.0, k_yy=70.0))
     assert (done.separated, done.realised) == (("k_zz", "k_xx", "k_yy"), 30.0)
     assert done.decision == "against k_xx and k_yy: k_zz remains"
 
 
 def test_an_experiment_that_leaves_all_rivals_has_separated_nothing():
-    done = link(THREE, THREE)
+    done = link(three(), three())
     assert (done.separated, done.realised) == ((), None)
     assert done.decision == "nothing: it could still be k_xx, k_yy or k_zz"
 
 
 def test_where_something_else_is_found_none_of_the_names_is_distinguished():
-    done = link(THREE, stage(("backlash",)))
+    done = link(three(), stage(("backlash",)))
     assert done.separated == ()
     assert done.decision == "against k_xx, k_yy and k_zz: something else was found instead"
 
 
 def test_what_is_said_of_an_experiment_is_all_in_the_document():
-    chain = Chain(first=THREE, links=(link(THREE, stage(("k_xx",), k_yy=20.0, k_zz=30.0)),), ended=None)
+    chain = Chain(first=three(), links=(link(three(), stage(("k_xx",), k_yy=20.0, k_zz=30.0)),), ended=None)
     (entry,) = chain.as_json()["experiments"]
     assert entry["did"] == "ran probe-end to tell k_xx from k_yy"
     assert entry["separated"] == ["k_xx", "k_yy", "k_zz"]
@@ -66,29 +69,29 @@ def test_what_is_said_of_an_experiment_is_all_in_the_document():
     ("links", "futile"),
     [
         ([], 0),
-        ([link(THREE, THREE)], 1),
-        ([link(THREE, THREE), link(THREE, THREE)], 2),
-        ([link(THREE, THREE), link(THREE, stage(("k_xx",), k_yy=20.0))], 0),
-        ([link(THREE, THREE, runs=3)], 0),
-        ([link(THREE, THREE, together=("probe-edge",))], 0),
+        ([link(three(), three())], 1),
+        ([link(three(), three()), link(three(), three())], 2),
+        ([link(three(), three()), link(three(), stage(("k_xx",), k_yy=20.0))], 0),
+        ([link(three(), three(), runs=3)], 0),
+        ([link(three(), three(), together=("probe-edge",))], 0),
     ],
     ids=["none", "one", "two", "then one that tells", "one of several runs", "one of two"],
 )
 def test_only_what_should_have_separated_something_by_itself_counts_as_futile(links, futile):
-    assert Chain(first=THREE, links=tuple(links)).futile == futile
+    assert Chain(first=three(), links=tuple(links)).futile == futile
 
 
 @pytest.mark.parametrize(
     ("links", "unkept"),
     [
-        ([link(THREE, THREE)], False),
-        ([link(THREE, THREE, runs=2)], False),
-        ([link(THREE, THREE, runs=2), link(THREE, THREE)], True),
-        ([link(THREE, THREE, together=("probe-edge",)), link(THREE, THREE, programme="probe-edge")], True),
-        ([link(THREE, THREE, together=("probe-edge",)), link(THREE, THREE, programme="probe-back")], False),
-        ([link(THREE, THREE, runs=2), link(THREE, stage(("k_xx",), k_yy=20.0))], False),
-        ([link(THREE, THREE, runs=3), link(THREE, THREE, runs=2)], False),
-        ([link(THREE, THREE, runs=6)] * 4, True),
+        ([link(three(), three())], False),
+        ([link(three(), three(), runs=2)], False),
+        ([link(three(), three(), runs=2), link(three(), three())], True),
+        ([link(three(), three(), together=("probe-edge",)), link(three(), three(), programme="probe-edge")], True),
+        ([link(three(), three(), together=("probe-edge",)), link(three(), three(), programme="probe-back")], False),
+        ([link(three(), three(), runs=2), link(three(), stage(("k_xx",), k_yy=20.0))], False),
+        ([link(three(), three(), runs=3), link(three(), three(), runs=2)], False),
+        ([link(three(), three(), runs=6)] * 4, True),
     ],
     ids=[
         "one",
@@ -102,7 +105,7 @@ def test_only_what_should_have_separated_something_by_itself_counts_as_futile(li
     ],
 )
 def test_a_plan_of_several_runs_is_unkept_once_all_of_them_told_nothing(links, unkept):
-    assert Chain(first=THREE, links=tuple(links)).unkept is unkept
+    assert Chain(first=three(), links=tuple(links)).unkept is unkept
 
 
 def test_the_cheapest_experiment_tells_most_for_its_time():
@@ -136,21 +139,21 @@ TOLD = stage(("k_xx",), k_yy=6.0)
 
 
 def test_what_was_barely_told_apart_is_doubted_until_it_is_confirmed():
-    chain = Chain(first=THREE, links=(link(THREE, TOLD), link(TOLD, TOLD)))
+    chain = Chain(first=three(), links=(link(three(), TOLD), link(TOLD, TOLD)))
     before = replace(chain, links=chain.links[:1])
     assert (before.doubted, chain.doubted) == ({"k_xx", "k_yy", "k_zz"}, {"k_zz"})
     assert chain.links[1].rivals_before == ("k_xx", "k_yy")
 
 
 def test_a_confirmation_that_names_another_confirms_nothing():
-    chain = Chain(first=THREE, links=(link(THREE, TOLD), link(TOLD, stage(("k_yy",), k_xx=4.0))))
+    chain = Chain(first=three(), links=(link(three(), TOLD), link(TOLD, stage(("k_yy",), k_xx=4.0))))
     assert chain.doubted == {"k_xx", "k_yy", "k_zz"}
 
 
 def test_a_confirmation_that_brings_a_rival_back_is_not_futile():
     done = link(TOLD, stage(("k_xx", "k_yy")))
     assert (done.separated, done.futile) == ((), False)
-    assert Chain(first=THREE, links=(done,)).doubted == frozenset()
+    assert Chain(first=three(), links=(done,)).doubted == frozenset()
 
 
 def test_what_turns_out_to_be_several_causes_is_told_apart():

@@ -37,7 +37,7 @@ class Mercury:
         monkeypatch.setattr(Links, "serial", lambda *_: self.controller)
         self.loaded = load_stand(DOCS / "examples" / "mercury.toml")
         bench = Bench(clock=self.clock, links=Links(), folder=self.loaded.folder, eyepiece=None)
-        self.head = self.loaded.head_driver.connect(self.loaded.file.head, bench)
+        self.head = self.loaded.positioner_drivers["head"].connect(self.loaded.file.head, bench)
 
     def homed(self):
         self.head.identify()

@@ -47,3 +47,7 @@ def test_its_result_is_a_record_that_comes_back_from_its_table(table, tmp_path):
 
 def test_a_notebook_reads_its_table(table):
     assert package.close_loop(table).to_dict()["method"] == "clock"
+
+
+def test_a_notebook_draws_nothing_where_its_sections_have_no_figure(table):
+    assert package.close_loop(table).plot().svg == ""

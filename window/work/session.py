@@ -1,6 +1,6 @@
 """The stand of the window, as one object."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, ExitStack, suppress
 from copy import deepcopy
 from dataclasses import dataclass
@@ -106,25 +106,30 @@ class StandSession:
         stand is connected anew, and a look ends with it. Raises `LinkLostError`, as `connected`, and what `check`
         raises, which is called while an answer is awaited.
         """
-        with self.heeding(check):
-            return self._readings()
-
-    def _readings(self) -> dict[str, Block | None]:
         tables = self.loaded.file.samplers
-        quick = {name: table.rate_hz for name, table in tables.items() if table.rate_hz * _GLANCE_S >= 1.0}
-        blocks: dict[str, Block | None] = {}
-        for name in [name for name in quick if name not in self._silent]:
+        quick_hz = {name: table.rate_hz for name, table in tables.items() if table.rate_hz * _GLANCE_S >= 1.0}
+
+        def read(name: str) -> Block:
+            return self._glanced_at(name).acquire(round(quick_hz[name] * _GLANCE_S), quick_hz[name])
+
+        with self.heeding(check):
+            return self._asked(quick_hz, read)
+
+    def _asked(self, names: Iterable[str], ask: Callable[[str], Block]) -> dict[str, Block | None]:
+        """What instruments answer, but those that were silent before. Raises `LinkLostError`, and as `connected`."""
+        answers: dict[str, Block | None] = {}
+        for name in [name for name in names if name not in self._silent]:
             try:
                 with self._naming(name):
-                    blocks[name] = self._glanced_at(name).acquire(round(quick[name] * _GLANCE_S), quick[name])
+                    answers[name] = ask(name)
             except LinkLostError:
                 raise
             except NoReplyError:
                 self._silent.add(name)
-                return blocks | {name: None}
+                return answers | {name: None}
             except DeviceError:
-                blocks[name] = None
-        return blocks
+                answers[name] = None
+        return answers
 
     def _glanced_at(self, name: str) -> Sampler:
         """A sampler to look at between runs: of a simulated one a copy, world and clock with it.
@@ -142,21 +147,8 @@ class StandSession:
 
         As of `readings`, one that is silent is not looked at again. Raises likewise.
         """
-        climates: dict[str, Block | None] = {}
-        for name, environment in self.connected.stand.environments.items():
-            if name in self._silent:
-                continue
-            try:
-                with self._naming(name):
-                    climates[name] = _climate(environment.status())
-            except LinkLostError:
-                raise
-            except NoReplyError:
-                self._silent.add(name)
-                return climates | {name: None}
-            except DeviceError:
-                climates[name] = None
-        return climates
+        environments = self.connected.stand.environments
+        return self._asked(environments, lambda name: _climate(environments[name].status()))
 
     @property
     def answers(self) -> bool:
