@@ -2,7 +2,6 @@
 
 import gc
 import os
-import time
 from pathlib import Path
 from threading import Event
 
@@ -10,12 +9,11 @@ os.environ.setdefault("QT_QPA_PLATFORM", f"offscreen:configfile={Path(__file__).
 
 import pytest
 from app_jobs import blank_figures, tracing_once
-from PySide6.QtCore import QEvent, QSettings
-from window_driver import LONG, TINY, Driver
+from PySide6.QtCore import QSettings
+from window_driver import LONG, TINY, Driver, take_away
 
 from tumble.calibrations.methods.dividing_head import analysis
 from tumble.messages import Language
-from tumble.window.look.language import speak
 from tumble.window.start import Application, application
 from tumble.window.work import queue_file
 from tumble.window.work.queue_file import QueueFile
@@ -85,19 +83,6 @@ def driver(qtbot, qapp, settings, tmp_path, monkeypatch):
     running = Application(qapp, tmp_path / "store")
     yield Driver(qtbot, running)
     take_away(qapp, running)
-
-
-def take_away(qapp, running):
-    """Leave a window, and have Qt forget it."""
-    running.window.leave()
-    deadline = time.monotonic() + 60.0
-    while running.window.isVisible():
-        assert time.monotonic() < deadline, "the window does not close"
-        qapp.processEvents()
-    for made in (running.window, running):
-        made.deleteLater()
-    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    speak(Language.ENGLISH)  # tests of parts without a window go by it
 
 
 @pytest.fixture(scope="module")

@@ -1,8 +1,8 @@
 """A window opens whatever its file of settings says: what cannot be is as usual."""
 
 import pytest
-from conftest import take_away
 from PySide6.QtCore import QByteArray
+from window_driver import take_away
 
 from tumble.window import preferences
 from tumble.window.kept import kept_place, kept_text

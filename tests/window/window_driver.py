@@ -1,8 +1,12 @@
 """What a person does at the window, in the words of the tests."""
 
-from PySide6.QtCore import Qt
+import time
+
+from PySide6.QtCore import QEvent, Qt
 
 from tumble.app.stand import load_stand
+from tumble.messages import Language
+from tumble.window.look.language import speak
 from tumble.window.screens.run import Phase
 from tumble.window.widgets.notice import Kind
 
@@ -138,3 +142,16 @@ class Driver:
         """Close dialogs and notices."""
         while self.window.frame.close_newest():
             pass
+
+
+def take_away(qapp, running):
+    """Leave a window, and have Qt forget it."""
+    running.window.leave()
+    deadline = time.monotonic() + 60.0
+    while running.window.isVisible():
+        assert time.monotonic() < deadline, "the window does not close"
+        qapp.processEvents()
+    for made in (running.window, running):
+        made.deleteLater()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    speak(Language.ENGLISH)  # tests of parts without a window go by it
