@@ -89,12 +89,12 @@ class Frame(QWidget):
 
 
 def _in_order_of_tabs(screen: QWidget) -> Iterator[QWidget]:
-    """What Tab reaches on a screen, the part that had the keyboard last before all others."""
-    last, part = screen.focusWidget(), screen.nextInFocusChain()
-    if last is not None and last.isVisible() and last.isEnabled():
-        yield last
-    while part is not None and part is not screen:
-        reached = part.focusPolicy() & Qt.FocusPolicy.TabFocus and part.isVisible() and part.isEnabled()
-        if reached and screen.isAncestorOf(part):
+    """What Tab reaches on a screen, the part that had the keyboard last before all others.
+
+    By the children, which were put there in this order, and not by `nextInFocusChain`: PySide takes what that returns
+    for a child of what was asked, and forgets the menus once any of these is deleted.
+    """
+    last = screen.focusWidget()
+    for part in ([last] if last is not None else []) + screen.findChildren(QWidget):
+        if part.focusPolicy() & Qt.FocusPolicy.TabFocus and part.isVisible() and part.isEnabled():
             yield part
-        part = part.nextInFocusChain()

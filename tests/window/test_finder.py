@@ -3,7 +3,8 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import QEvent, QSettings, Qt
+from PySide6.QtWidgets import QApplication, QPushButton
 from window_driver import STAND
 
 from tumble.window.finder.fuzzy import score
@@ -168,3 +169,17 @@ def test_nothing_is_said_to_be_nothing(driver):
     assert (finder.titles, finder.said.text()) == ([], "Nothing is called like that.")
     press(driver, Qt.Key.Key_Return)
     assert finder.isVisible()
+
+
+def test_the_menus_are_found_after_parts_of_a_screen_were_taken_away(driver):
+    window = driver.window
+    passing = QPushButton(window.result)
+    window.result.setEnabled(False)  # the keyboard finds nothing there, however far it looks
+    window.open(window.result)
+    window.result.setEnabled(True)
+    window.open(window.stand)
+    passing.deleteLater()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    window.finding.begin()
+    window.menus.show_choices()
+    assert window.frame.finder.isVisible()
