@@ -15,7 +15,7 @@ from tumble.app.kept_reports import keep, of_record, report_path
 from tumble.app.last_calibration import other_lots
 from tumble.app.learning import Learned, contradictions_of, learn
 from tumble.app.measurements import read_measurement
-from tumble.app.opening import check_not_lost
+from tumble.app.opening import store_to_write
 from tumble.app.recording_names import recording_path
 from tumble.app.running import Job, failure, run
 from tumble.app.wiring import Connected
@@ -30,10 +30,8 @@ from tumble.system_errors import reason
 
 def store(traced: Traced, folder: Path) -> Record:
     """Store a calibration; a raw file that was calibrated before gets a further revision. Raises `JobError`."""
-    from tumble.calibrations.records.store import Store  # takes half a second, for those that keep records
-
     try:
-        return Store(folder).revise(_entry(traced), traced.provenance)
+        return store_to_write(folder).revise(_entry(traced), traced.provenance)
     except StoreError as error:
         raise JobError(
             Message("{error}; the recording is kept in {path}", error=error, path=traced.measurement.path), Exit.STORAGE
@@ -48,11 +46,8 @@ def _entry(traced: Traced) -> Entry:
 
 def make_ready(folder: Path) -> None:
     """Find out before anything is measured whether the store will take the result. Raises `JobError`."""
-    from tumble.calibrations.records.store import Store
-
     try:
-        check_not_lost(folder)
-        Store(folder).migrate()
+        store_to_write(folder).migrate()
         (folder / "reports").mkdir(exist_ok=True)
     except StoreError as error:
         raise JobError(Message("{error}; nothing was measured", error=error), Exit.STORAGE) from error

@@ -35,3 +35,11 @@ def open_store(folder: Path) -> "Store":
         if (folder / DATABASE).exists():
             raise
         raise InputError(str(error)) from error
+
+
+def store_to_write(folder: Path) -> "Store":
+    """Open a store to add to it; one that is not there is made. Raises `StoreError`, where it is lost too."""
+    from tumble.calibrations.records.store import Store
+
+    check_not_lost(folder)
+    return Store(folder)

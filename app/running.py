@@ -44,6 +44,7 @@ from tumble.procedures.registry import find_method
 from tumble.procedures.replay import replay
 from tumble.procedures.second_look import ReadAgain, SecondLook
 from tumble.procedures.steps import Point
+from tumble.system_errors import reason
 
 if TYPE_CHECKING:
     from tumble.procedures.recording.contents import Said
@@ -263,10 +264,8 @@ def _header(job: Job, clock: Clock, purpose: str) -> Header:
 def _storage_sentence(path: Path, error: Exception) -> str:
     if isinstance(error, RecordingError):
         return str(error)
-    reason = error.strerror if isinstance(error, OSError) else str(error)
-    return Message(
-        "{path}: cannot be created ({reason}); choose another --store or make room", path=path, reason=reason
-    )
+    why = reason(error) if isinstance(error, OSError) else str(error)
+    return Message("{path}: cannot be created ({reason}); choose another store, or make room", path=path, reason=why)
 
 
 @contextmanager

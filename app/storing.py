@@ -8,6 +8,7 @@ from tumble.app.exits import Exit, JobError
 from tumble.app.identity import program_identity
 from tumble.app.kept_reports import keep, of_record
 from tumble.app.methods import close_loop, method_called
+from tumble.app.opening import store_to_write
 from tumble.app.section_report import table_report
 from tumble.calibrations.core.method import Method, Result
 from tumble.calibrations.core.provenance import Provenance, Source
@@ -20,10 +21,8 @@ from tumble.procedures.errors import InputError
 
 def record_tables(result: Result, files: Sequence[Path], folder: Path) -> Record:
     """Store what tables say that were measured elsewhere. Raises `InputError`, `JobError`."""
-    from tumble.calibrations.records.store import Store
-
     try:
-        return Store(folder).revise(result.entry(), origin_of_tables(files, folder))
+        return store_to_write(folder).revise(result.entry(), origin_of_tables(files, folder))
     except ValueError as error:
         raise InputError(str(error)) from error
     except StoreError as error:

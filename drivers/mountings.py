@@ -61,8 +61,10 @@ class Mounting:
 
     @property
     def text(self) -> str:
-        """The condition."""
-        return f"x along {self.x}, y along {self.y}, {self.down} down"
+        """The condition, which a reader is shown in words."""
+        written = f"x along {self.x}, y along {self.y}, {self.down} down"
+        Message.named(written, "x along {x}, y along {y}, {down} down", x=self.x, y=self.y, down=self.down)
+        return written
 
     @property
     def table(self) -> NDArray[np.float64]:

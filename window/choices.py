@@ -39,7 +39,8 @@ class Choices(QObject):
     def enlarge(self, steps: int) -> None:
         """Take text that is so many steps larger, as far as there are any."""
         place = SCALES.index(preferences.text_scale()) + steps
-        self.choose_scale(SCALES[min(max(place, 0), len(SCALES) - 1)])
+        if place in range(len(SCALES)):  # to dress a window anew is felt
+            self.choose_scale(SCALES[place])
 
     def choose_language(self, chosen: Language) -> None:
         """Speak another language; while the stand is at work, from the next time on."""

@@ -2,7 +2,8 @@
 
 from typing import Final
 
-from PySide6.QtCore import QByteArray, QPoint, QRect, QSettings, QSize
+from PySide6.QtCore import QByteArray, QObject, QPoint, QRect, QSettings, QSize, QTimer
+from PySide6.QtGui import QGuiApplication, QScreen
 from PySide6.QtWidgets import QMainWindow
 
 from tumble.window.kept import kept_place
@@ -36,6 +37,29 @@ def keep_on_screen(window: QMainWindow) -> None:
     frame = told if told.height() else _FRAME
     window.resize(window.size().boundedTo(room.size() - frame))
     window.move(_inside(QRect(window.pos(), window.size() + frame), room))
+
+
+class ScreenWatch(QObject):
+    """Keeps a window on its screen where that becomes smaller, or is taken away: STOP is on it.
+
+    A window that is moved from screen to screen is left to whoever moves it.
+    """
+
+    def __init__(self, window: QMainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        application = QGuiApplication.instance()
+        assert isinstance(application, QGuiApplication), "a window has one"
+        for screen in QGuiApplication.screens():
+            self._watch(screen)
+        application.screenAdded.connect(self._watch)
+        application.screenRemoved.connect(self._keep)
+
+    def _watch(self, screen: QScreen) -> None:
+        screen.availableGeometryChanged.connect(self._keep)
+
+    def _keep(self, _: object) -> None:
+        QTimer.singleShot(0, self, lambda: keep_on_screen(self._window))  # the system has had its turn by then
 
 
 def _inside(wanted: QRect, room: QRect) -> QPoint:

@@ -20,7 +20,7 @@ from tumble.window.look.language import speak
 from tumble.window.look.theme import dress, dress_window
 from tumble.window.main_window import MainWindow
 from tumble.window.painted import FirstPaint
-from tumble.window.place import keep_on_screen
+from tumble.window.place import ScreenWatch, keep_on_screen
 from tumble.window.preferences import language, shade, text_scale
 
 _TURN_S: Final = 5e-4
@@ -84,6 +84,7 @@ class Application(QObject):
         window.dress_wanted.connect(self._dress)
         window.restart_wanted.connect(self._restart, Qt.ConnectionType.QueuedConnection)
         window.show()
+        ScreenWatch(window)
         FirstPaint(window.windowHandle(), window).painted.connect(window.records.refresh)
         return window
 

@@ -124,6 +124,7 @@ def test_every_thread_and_timer_is_known_here():
         if isinstance(node, ast.Name) and node.id in kinds
     }
     assert found == {
+        ("place.py", "QTimer"),
         ("work/order_thread.py", "Thread"),
         ("work/background.py", "ThreadPoolExecutor"),
         ("screens/records.py", "QTimer"),

@@ -129,7 +129,7 @@ def test_a_stand_that_did_not_answer_is_connected_again(driver, monkeypatch):
 
 def test_a_run_that_broke_off_is_resumed_by_the_notice(driver, tmp_path, monkeypatch):
     recording = tmp_path / "run.mcap"
-    recording.touch()
+    recording.write_bytes(b"a header")
     resumed = []
     object.__setattr__(driver.window._remedies, "resume", resumed.append)
     driver.window.tell(JobError(Message("{happened}; kept in {path}", happened="x", path=recording), Exit.DEVICE_FAULT))

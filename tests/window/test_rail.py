@@ -53,7 +53,7 @@ def test_what_a_run_does_is_seen_from_every_screen(driver, long):
     driver.wait(lambda: badge(driver, RUN) is not None and badge(driver, RUN).tint is BLUE)
     driver.press(Qt.Key.Key_F6)
     name = driver.window.frame.rail.buttons[RUN].accessibleName
-    driver.wait(lambda: name() == "Run: Paused; the head stands")
+    driver.wait(lambda: name() == "Run: Paused at a standstill")
     assert badge(driver, RUN).tint is VIOLET
 
 

@@ -49,7 +49,7 @@ def test_it_pauses_until_the_standstill_was_read_back_and_shows_where_that_is(ru
     running.run.state_changed.connect(lambda text, _fault: texts.append(text))
     running.press(Qt.Key.Key_F6)
     running.wait(lambda: running.run.course.now.state is State.PAUSED)
-    assert list(dict.fromkeys(texts))[-2:] == ["Pausing…", "Paused; the head stands"]
+    assert list(dict.fromkeys(texts))[-2:] == ["Pausing…", "Paused at a standstill"]
     head = running.window.worker.session.connected.stand.positioners["head"].status()
     for dial in (running.run.view.dials.of("head"), running.window.stand.dials.of("head")):
         assert (dial._status.angle_deg, dial._status.moving) == (head.angle_deg, False)
@@ -68,7 +68,7 @@ def test_a_pause_without_a_standstill_is_a_red_fault(running, restless):
     running.press(Qt.Key.Key_F6)
     running.wait(lambda: running.complaints)
     assert any(UNREAD in told for told in running.complaints)
-    assert said(running) == "Fault: the head's standstill was not read back"
+    assert said(running) == "Fault: the standstill was not read back"
     assert running.window.stop_bar.state.objectName() == "fault"
     assert "Paused" not in running.log
 

@@ -45,7 +45,7 @@ def test_ready_is_grey_measuring_blue_and_paused_violet(driver, long):
     driver.start(long)
     driver.wait(lambda: strip(driver).state.tint is BLUE)
     driver.press(Qt.Key.Key_F6)
-    driver.wait(lambda: strip(driver).state.text == "Paused; the head stands")
+    driver.wait(lambda: strip(driver).state.text == "Paused at a standstill")
     assert strip(driver).state.tint is VIOLET
 
 
@@ -139,7 +139,7 @@ def test_lines_of_a_table_stay_in_sight_with_large_text(qtbot, qapp):
 
 def test_letters_are_never_smaller_than_can_be_read(driver):
     state = strip(driver).state
-    state.say("Fault: the head's standstill was not read back", RED)
+    state.say("Fault: the standstill was not read back", RED)
     assert state.point_size(600) == LEAST_PT
     assert state.heightForWidth(600) > state.heightForWidth(4000)
 

@@ -44,6 +44,13 @@ def test_text_grows_at_once(screen, scale):
     assert screen.sound.font().pointSizeF() == pytest.approx(POINT_SIZE * scale)
 
 
+def test_text_that_cannot_be_larger_dresses_nothing_anew(driver, screen, qtbot):
+    choose(screen.scale, 2.5)
+    with qtbot.assertNotEmitted(driver.window.choices.dress_wanted):
+        driver.window.choices.enlarge(1)
+    assert preferences.text_scale() == 2.5
+
+
 def test_the_menu_and_the_screen_say_the_same(driver, screen):
     driver.window.menus._shades[Shade.DARK].trigger()
     assert screen.shade.currentData() == Shade.DARK

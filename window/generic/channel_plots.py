@@ -87,7 +87,8 @@ class ChannelPlots(Figures):
 
 
 def _mean(unit: str) -> str:
-    return f"{tr('mean')} ({unit})"
+    mean = tr("mean")
+    return f"{mean} ({unit})"
 
 
 def _by_unit(channels: Mapping[str, object]) -> dict[str, list[str]]:

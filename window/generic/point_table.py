@@ -11,7 +11,7 @@ from tumble.procedures.layout import Layout
 from tumble.procedures.steps import Dwell, Point, Reading
 from tumble.window.look.channels import axis_text, channel_text
 from tumble.window.look.language import tr
-from tumble.window.look.names import instrument_name
+from tumble.window.look.names import in_words, instrument_name
 from tumble.window.look.numbers import local
 from tumble.window.parts import Overview
 from tumble.window.widgets.table import Table
@@ -52,7 +52,7 @@ class PointTable(Overview):
         """Show a dwell without values."""
         conditions, positions, channels = self._names
         places = (_angle(dwell.targets_deg[name]) if name in dwell.targets_deg else "" for name in positions)
-        asked = (dwell.conditions.get(name, "") for name in conditions)
+        asked = (in_words(dwell.conditions.get(name, "")) for name in conditions)
         self._now = (f"▶ {self._done + 1}", *asked, *places, *("" for _ in channels))
         self._fill()
 
@@ -66,7 +66,8 @@ class PointTable(Overview):
         conditions, positions, channels = self._names
         places = (_angle(point.positions_deg[name]) for name in positions)
         means = (_mean(point.readings.get(name)) for name in channels)
-        return (_number(point), *(point.conditions.get(name, "") for name in conditions), *places, *means)
+        asked = (in_words(point.conditions.get(name, "")) for name in conditions)
+        return (_number(point), *asked, *places, *means)
 
     def _fill(self) -> None:
         self.table.fill([row for row in (self._now, *self._rows) if row])

@@ -5,7 +5,7 @@ The words of the contracts (`scale_drift`) stay what they are in programmes, tab
 
 from typing import Final
 
-from tumble.drivers.tables import CHAMBER, DAQ, EXCITER, HEAD
+from tumble.drivers.tables import CHAMBER, DAQ, EXCITER, HEAD, MOUNT
 from tumble.drivers.text import visible
 from tumble.messages import Message, with_wording
 from tumble.window.look.language import spoken, tr
@@ -18,12 +18,13 @@ _SHORT: Final = 32
 
 
 def instrument_name(name: str) -> str:
-    """An instrument of a stand file as an operator reads it: those that are usual in words, others by their names."""
+    """An instrument or a condition as an operator reads it: those that are usual in words, others by their names."""
     usual = {
         HEAD: tr("Dividing head"),
         DAQ: tr("Voltmeter"),
         CHAMBER: tr("Temperature chamber"),
         EXCITER: tr("Exciter"),
+        MOUNT: tr("Mount"),
         "outer": tr("Outer axis"),
         "inner": tr("Inner axis"),
     }

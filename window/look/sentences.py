@@ -88,10 +88,10 @@ def state_name(state: State) -> str:
     return {
         State.IDLE: tr("Ready"),
         State.RUNNING: tr("Measuring"),
-        State.PAUSED: tr("Paused; the head stands"),
+        State.PAUSED: tr("Paused at a standstill"),
         State.AWAITING_OPERATOR: tr("Waits for you"),
         State.STOPPING: tr("Stopping"),
-        State.STANDSTILL: tr("The head stands"),
+        State.STANDSTILL: tr("At a standstill"),
     }[state]
 
 

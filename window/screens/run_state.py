@@ -123,7 +123,7 @@ class RunState:
     def text(self) -> str:
         """In a word or two."""
         if self.restless:
-            return tr("Fault: the head's standstill was not read back")
+            return tr("Fault: the standstill was not read back")
         if self.phase is Phase.CONCLUDING and not self.waiting:
             return tr("Analysing")
         if self.pausing:

@@ -55,6 +55,7 @@ class RunForm(QWidget):
         self.summary = PlainLabel()
         self.summary.setWordWrap(True)
         self.doubted = PlainLabel()
+        self.doubted.setWordWrap(True)
         self.doubted.hide()
         self._lay_out()
         self.serial.textChanged.connect(self.changed)

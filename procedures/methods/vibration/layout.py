@@ -30,7 +30,7 @@ LAYOUT: Final = Layout(
         MOUNT: Condition(
             meaning="how the unit sits: axes of the table, and down, in the unit",
             step="mount",
-            task=translatable("mount the unit with {value}"),
+            task=translatable("mount the unit with {value} (i: input, o: output, p: pendulous axis)"),
             remedy=translatable("mount it"),
             prompt=translatable("Mount the unit with {value}, then answer yes; nothing shakes meanwhile."),
             hint=translatable("Type yes when the unit is mounted so, or no to end the run."),
