@@ -17,6 +17,7 @@ from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.report import calibration_report
 from tumble.calibrations.methods.triad.model import NAMES
 from tumble.calibrations.methods.triad.quantities import QUANTITIES
+from tumble.calibrations.methods.triad.scalar import NAMES as SCALAR_NAMES
 from tumble.calibrations.report.bars import drawn_bar
 from tumble.calibrations.report.dates import dated
 from tumble.calibrations.report.document import Front, Report
@@ -169,7 +170,7 @@ def test_what_is_no_date_stays_as_it_is():
 
 
 def test_every_parameter_of_a_triad_has_a_name_in_words():
-    assert set(QUANTITIES) == set(NAMES)
+    assert set(QUANTITIES) == {*NAMES, *SCALAR_NAMES}
 
 
 def pages_of(document):
