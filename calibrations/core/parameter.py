@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from tumble.messages import Message
+from tumble.messages import Message, with_wording
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,7 +50,7 @@ class Parameter:
     def condition(self) -> str:
         """On what the value stands though that was not measured; empty where it stands by itself."""
         if self.rests_on_absence:
-            return Message("if there is no {effect}", effect=self.rests_on)
+            return Message("if there is no {effect}", effect=with_wording(self.rests_on))
         if len(self.given) > 1:
             return ""  # it has no value, and the reason says it
         if self.given:

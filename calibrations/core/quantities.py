@@ -11,6 +11,8 @@ from typing import TypeGuard
 from tumble.messages import Message
 
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k"}
+_SYMBOLS = {"^2": "²", "^3": "³", "deg": "°", "√h": "h^½", "percent": "%"}
+"""Of units, as names of columns and documents spell them."""
 _MANY = 10_000
 
 
@@ -179,13 +181,15 @@ def prefix_exponent(magnitude: float, unit: str) -> int:
 
 
 def prefixed(unit: str, exponent: int = 0) -> str:
-    """The unit with the prefix for a power of ten, set with ² and ³, and ° for deg; √h is written as a power."""
-    return _PREFIXES[exponent] + unit.replace("^2", "²").replace("^3", "³").replace("deg", "°").replace("√h", "h^½")
+    """The unit with the prefix for a power of ten, set with ² and ³, ° for deg and %; √h is written as a power."""
+    for written, symbol in _SYMBOLS.items():
+        unit = unit.replace(written, symbol)
+    return _PREFIXES[exponent] + unit
 
 
 def join(number: str, unit: str) -> str:
     """Number and unit; a degree sign stands close to its number (SI brochure, 5.4.3)."""
-    return f"{number}{unit}" if unit in ("", "°") else f"{number} {unit}"
+    return f"{number}{unit}" if unit in ("", "°", "″") else f"{number} {unit}"
 
 
 def fixed(number: float, places: int) -> str:

@@ -1,13 +1,15 @@
 """The language in which a page is written, while it is written."""
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Final
 
-from tumble.messages import Language, Message
+from tumble.messages import AsWritten, Language, Message
 from tumble.numerals import localised
 
+_ARCSEC: Final = re.compile(r"(?:(?<=\d)|(?<=\(\d\d\))) arcsec\b|\barcsec\b")
 _WRITTEN: Final[ContextVar[Language]] = ContextVar("_WRITTEN", default=Language.ENGLISH)
 
 
@@ -32,5 +34,10 @@ def say(text: str) -> str:
     A document, and the terminal in English, have `head_scale`; a reader of the page has words for it.
     """
     if not isinstance(text, Message):
-        return localised(text, language())
-    return localised(text.worded(language()), language(), text.as_written())
+        return _signed(localised(text, language())) if not isinstance(text, AsWritten) else text
+    return _signed(localised(text.worded(language()), language(), text.as_written()))
+
+
+def _signed(text: str) -> str:
+    """The text with ″ for arc seconds, which some terminals lack (SI brochure, table 8)."""
+    return _ARCSEC.sub("″", text)

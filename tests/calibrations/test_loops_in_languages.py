@@ -19,7 +19,7 @@ from tumble.calibrations.methods.temperature.method import METHOD as TEMPERATURE
 from tumble.calibrations.methods.temperature.method import TemperatureResult
 from tumble.calibrations.report.document import page_of_sections
 from tumble.calibrations.report.figure import Axis, Figure, Panel
-from tumble.calibrations.report.language import written_in
+from tumble.calibrations.report.language import say, written_in
 from tumble.calibrations.report.page import html
 from tumble.calibrations.report.written import written
 from tumble.messages import Language, Message
@@ -105,10 +105,11 @@ def test_code_that_is_copied_keeps_its_decimal_points_in_every_language():
     assert f"<pre><code>{code}</code></pre>" in written_out
 
 
-def test_a_report_in_english_says_what_the_terminal_says(method_and_sections):
+def test_a_report_in_english_says_what_the_terminal_says_and_calls_effects_by_words(method_and_sections):
     method, sections = method_and_sections
     shown = texts(page(method.title, "runs.csv", sections))
-    assert {line for section in sections for line in section.lines} <= shown
+    assert {say(line) for section in sections for line in section.lines} <= shown
+    assert not any(name in text for text in shown for name in ("head_eccentricity", "temperature_linear", "run_drift"))
 
 
 def test_a_figure_is_labelled_and_read_out_in_the_language_of_its_page():

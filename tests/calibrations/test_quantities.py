@@ -53,6 +53,7 @@ def test_the_concise_form_holds_the_uncertainty_in_units_of_the_last_place(value
     [
         (0.00513, 0.03752, "V/g", "5 to 38 mV/g"),
         (0.000938, 0.001016, "V/g", "938 to 1016 µV/g"),
+        (0.38, 0.4, "percent", "0.380 to 0.400 %"),
         (2.538751, 2.538855, "V", "2.538751 to 2.538855 V"),
         (-1.2516, 0.5758, "deg", "-1.25 to 0.58°"),
         (1.0, 1.0, "V", "1.000 to 1.000 V"),

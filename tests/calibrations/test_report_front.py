@@ -17,11 +17,12 @@ from tumble.calibrations.core.view import Section
 from tumble.calibrations.methods.dividing_head.report import calibration_report
 from tumble.calibrations.methods.triad.model import NAMES
 from tumble.calibrations.methods.triad.quantities import QUANTITIES
+from tumble.calibrations.methods.triad.scalar import NAMES as SCALAR_NAMES
 from tumble.calibrations.report.bars import drawn_bar
 from tumble.calibrations.report.dates import dated
 from tumble.calibrations.report.document import Front, Report
 from tumble.calibrations.report.instruments import instruments
-from tumble.calibrations.report.language import written_in
+from tumble.calibrations.report.language import say, written_in
 from tumble.calibrations.report.limit_bar import limit_bar
 from tumble.calibrations.report.paper import pdf
 from tumble.calibrations.report.written import written, written_section
@@ -169,7 +170,7 @@ def test_what_is_no_date_stays_as_it_is():
 
 
 def test_every_parameter_of_a_triad_has_a_name_in_words():
-    assert set(QUANTITIES) == set(NAMES)
+    assert set(QUANTITIES) == {*NAMES, *SCALAR_NAMES}
 
 
 def pages_of(document):
@@ -277,3 +278,22 @@ def test_where_nothing_told_the_temperature_none_is_stated(temperature_degc):
     rows = reversed_().observations
     untold = replace(rows, temperature_degc=temperature_degc and np.full(len(rows), temperature_degc))
     assert "Temperature" not in dict(front_of(replace(reversed_(), observations=untold))["facts"])
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("(209.7 ± 1.5) arcsec", "(209.7 ± 1.5) ″"),
+        ("793.86(77) arcsec", "793.86(77)″"),
+        ("a bump of 18 arcsec", "a bump of 18″"),
+        ("bias_x_arcsec", "bias_x_arcsec"),
+        (AsWritten("5 arcsec"), "5 arcsec"),
+    ],
+)
+def test_arc_seconds_have_their_sign(text, said):
+    assert say(text) == said
+
+
+def test_an_effect_on_whose_absence_a_value_rests_is_called_by_words():
+    parameter = replace(reversed_().parameters["kxy"], rests_on="head_eccentricity", given={"head_eccentricity": 0.0})
+    assert say(parameter.condition) == "if there is no eccentricity of the head's circle"

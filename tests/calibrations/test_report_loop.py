@@ -92,7 +92,7 @@ def test_misread_rows_are_listed_without_a_plot():
 
 def test_unexplained_structure_is_located_and_drawn():
     page = section(replace(clean(), unexplained=UNEXPLAINED))
-    assert UNEXPLAINED.description in text_of(page)
+    assert "a bump of 18″ near 141 deg on the head" in text_of(page)
     assert "Where what is unexplained shows." in text_of(page)
 
 

@@ -138,7 +138,7 @@ def test_a_report_shows_the_map_and_what_contradicts_it():
 
     assert "corrected by stand record 3 of bench-1" in page
     assert "rests on SN 1 and SN 2; the units agree (p = 0.41)" in page
-    assert "head_eccentricity amplitude 0.0" in page
+    assert "eccentricity of the head&#39;s circle amplitude 0.0" in page
     assert "It moved." in page
     assert 'aria-label="Error of the head over a turn with its uncertainty"' in page
 

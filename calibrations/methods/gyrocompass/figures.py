@@ -36,8 +36,8 @@ def heading_circle(loop: GyrocompassLoop) -> Figure:
     """The platform's axis at pickoff angle 0 on the compass, north up, with the interval that holds it."""
     panel = Panel(
         layers=tuple(_compass(loop)),
-        x=Axis(ticks=(-1.0, 1.0), names=("W", "E"), ends=(-_BEYOND, _BEYOND)),
-        y=Axis(ticks=(-1.0, 1.0), names=("S", "N"), ends=(-_BEYOND, _BEYOND)),
+        x=Axis(ticks=(-1.0, 1.0), names=(Message("W"), Message("E")), ends=(-_BEYOND, _BEYOND)),
+        y=Axis(ticks=(-1.0, 1.0), names=(Message("S"), Message("N")), ends=(-_BEYOND, _BEYOND)),
         equal_units=True,
     )
     return Figure(
