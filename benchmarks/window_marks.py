@@ -94,6 +94,6 @@ def _painted(part: QWidget) -> NDArray[np.uint32]:
 def _around(mask: Mask, pixels: NDArray[np.uint32]) -> NDArray[np.uint32]:
     """The pixels close to a mark, without those in which it fades and others of its colour."""
     near = ndimage.binary_dilation(mask, _EVERY_NEIGHBOUR, _BLEND_PX)
-    far = ndimage.binary_dilation(mask, _EVERY_NEIGHBOUR, _AROUND_PX)
+    far = ndimage.binary_dilation(near, _EVERY_NEIGHBOUR, _AROUND_PX - _BLEND_PX)
     around = pixels[far & ~near]
     return around[around != pixels[mask][0]]

@@ -7,10 +7,23 @@ import pytest
 from benchmarks.endurance.cuts import cut_correctly, recorded, wrong_cuts
 from tumble.procedures.methods.dividing_head.rows import row_of
 
+PROGRAMME = """\
+name = "eight"
+dwell_s = 0.1
+
+[[procedure]]
+kind = "sweep"
+step_deg = 45.0
+points = 8
+"""
+
 
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory):
-    return recorded(tmp_path_factory.mktemp("whole"))
+    folder = tmp_path_factory.mktemp("whole")
+    programme = folder / "eight.toml"
+    programme.write_text(PROGRAMME, "utf-8")
+    return recorded(folder, str(programme))
 
 
 def read_correctly(whole, size, tmp_path):

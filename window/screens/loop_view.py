@@ -1,6 +1,6 @@
 """The closed loop: what was found, the next experiment, before and after in numbers and pictures, what is left open."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
@@ -20,6 +20,7 @@ from tumble.window.work.presentation import LoopSummary
 
 if TYPE_CHECKING:
     from tumble.calibrations.tracing.experiments import Experiment
+    from tumble.calibrations.tracing.sentences import Finding
 
 
 class LoopView(QScrollArea):
@@ -79,30 +80,13 @@ class LoopView(QScrollArea):
         """Show that of another result."""
         self._experiments = tuple(loop.experiments)
         self.headline.setText(in_language(loop.headline))
-        self.findings.fill(
-            [
-                (
-                    effect_name(found.name),
-                    _alternatives(found.others),
-                    in_language(found.belongs_to),
-                    local(found.coefficients),
-                    local(found.p_value),
-                )
-                for found in loop.findings
-            ]
-        )
+        self.findings.fill([_line_of(found) for found in loop.findings])
         self.comparisons.fill([tuple(map(in_language, line)) for line in loop.comparisons])
         self.figures.show_figures(loop.figures)
         self.figures.setVisible(bool(loop.figures))
         self.findings.show_whole()
         self.comparisons.show_whole()
-        reasons = [
-            tr("{name} is not identifiable: {reason}", name=n, reason=in_language(why))
-            for n, why in loop.not_identifiable
-        ]
-        self.not_identifiable.setText(
-            local("\n".join([*reasons, *([in_language(loop.dependence)] if loop.dependence else [])]))
-        )
+        self.not_identifiable.setText(local("\n".join(_reservations(loop))))
         self._list_experiments(self._experiments)
         shown = {
             self.findings: bool(loop.findings),
@@ -143,6 +127,25 @@ class LoopView(QScrollArea):
     def _run(self) -> None:
         if programme := self._chosen():
             self.experiment_wanted.emit(programme)
+
+
+def _line_of(found: "Finding") -> tuple[str, ...]:
+    """An effect that was found, as a line of the table."""
+    return (
+        effect_name(found.name),
+        _alternatives(found.others),
+        in_language(found.belongs_to),
+        local(found.coefficients),
+        local(found.p_value),
+    )
+
+
+def _reservations(loop: LoopSummary) -> Iterator[str]:
+    """What is not identifiable and why, and on what the values depend."""
+    for name, why in loop.not_identifiable:
+        yield tr("{name} is not identifiable: {reason}", name=name, reason=in_language(why))
+    if loop.dependence:
+        yield in_language(loop.dependence)
 
 
 def _alternatives(effects: Sequence[str]) -> str:
