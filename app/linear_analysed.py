@@ -71,7 +71,7 @@ class LinearTraced(LinearAnalysed, MethodTraced):
     @property
     def model(self) -> Model:
         """Whose values are to be used."""
-        return Model.AUGMENTED if self.loop.effects else Model.DECLARED
+        return Model.AUGMENTED if self.loop.effects or self.explained.unexplained else Model.DECLARED
 
     @cached_property
     def parameters(self) -> Mapping[str, Parameter]:

@@ -76,7 +76,7 @@ class LoopTraced(LoopAnalysed, MethodTraced):
     @property
     def model(self) -> Model:
         """Whose values are to be used."""
-        return Model.AUGMENTED if self.loop.effects else Model.DECLARED
+        return Model.AUGMENTED if self.loop.effects or self.loop.unexplained else Model.DECLARED
 
     @property
     def parameters(self) -> Mapping[str, Parameter]:

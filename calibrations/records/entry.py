@@ -38,12 +38,13 @@ class Entry:
 
 
 def loop_entry(method: str, version: int, result: Mapping[str, Any]) -> Entry:
-    """A closed loop (`tumble.loop/1`): to be used is what was found with it, if anything was."""
+    """A closed loop (`tumble.loop/1`): to be used is what it gives with whatever was found, named or not."""
+    found = result["effects"] or result.get("unexplained")
     return Entry(
         method=method,
         method_version=version,
         result=result,
         parameters=result["declared"]["parameters"],
         augmented=result["augmented"]["parameters"],
-        verdict=Verdict(judged=Model.AUGMENTED if result["effects"] else Model.DECLARED, parameters=()),
+        verdict=Verdict(judged=Model.AUGMENTED if found else Model.DECLARED, parameters=()),
     )
