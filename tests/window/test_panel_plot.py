@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from pyqtgraph import LinearRegionItem
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication
 
@@ -52,6 +53,11 @@ def test_its_points_and_lines_are_the_values_of_the_plot(plots):
     values = plots[0].values()
     assert [each.name for each in values.series] == ["face-up", "model"]
     assert values.series[1].y.tolist() == [0.0, 20.0, 40.0]
+
+
+def test_a_band_is_as_pale_as_that_of_every_plot(plots):
+    (band,) = (item for item in plots[0].items() if isinstance(item, LinearRegionItem))
+    assert band.brush.color() == plots[0].band
 
 
 def test_a_circle_is_round_however_wide_the_plot_is(qtbot):

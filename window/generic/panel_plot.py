@@ -127,7 +127,9 @@ class PanelPlot(Plot):
         return {**ours, INK: self.colours.ink, PALE: self.colours.pale}.get(of_page, of_page)
 
     def _transparent(self, of_page: str, opacity: float) -> QColor:
-        tint = QColor(self.colours.accent if of_page == BAND else self._colour(of_page))
+        if of_page == BAND:
+            return self.band  # marks stand out from it in every colour of the window
+        tint = QColor(self._colour(of_page))
         tint.setAlphaF(opacity)
         return tint
 
