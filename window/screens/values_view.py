@@ -11,7 +11,7 @@ from tumble.window.look.sentences import in_language
 from tumble.window.widgets.values_table import ValuesTable
 from tumble.window.work.presentation import Drawn, Presentation
 
-_HIGH_LINES: Final = 14
+_HIGH_LINES: Final = 10
 """A figure that is less high than so many lines of text is left out: tabs have it, too."""
 
 
