@@ -43,9 +43,9 @@ def test_the_figure_has_the_room_that_the_values_leave(view):
 
 def test_where_there_is_no_room_for_both_the_values_have_it_all(view):
     view.show_presentation(result(RESIDUAL))
-    view.resize(1400, 300)
+    view.resize(1400, 220)
     assert not view.picture.isVisible()
-    assert height_of_table(view) == 300
+    assert height_of_table(view) == 220
 
 
 def test_many_values_leave_no_room(view):
