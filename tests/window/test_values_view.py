@@ -48,6 +48,12 @@ def test_where_there_is_no_room_for_both_the_values_have_it_all(view):
     assert height_of_table(view) == 220
 
 
+def test_the_figure_keeps_no_window_from_becoming_smaller(view):
+    view.show_presentation(result(RESIDUAL))
+    assert view.picture.isVisible()
+    assert view.minimumSizeHint() == view.table.minimumSizeHint()
+
+
 def test_many_values_leave_no_room(view):
     view.show_presentation(result(RESIDUAL, 20 * LINES))
     assert not view.picture.isVisible()

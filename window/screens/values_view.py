@@ -2,6 +2,7 @@
 
 from typing import Final
 
+from PySide6.QtCore import QSize
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
@@ -26,6 +27,7 @@ class ValuesView(QWidget):
         self._caption.setWordWrap(True)
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSizeConstraint(QVBoxLayout.SizeConstraint.SetNoConstraint)
         self._column.addWidget(self.table, stretch=1)
         self._column.addWidget(self.picture, stretch=2)
         self._column.addWidget(self._caption)
@@ -36,6 +38,10 @@ class ValuesView(QWidget):
         self.table.show_lines(presentation.table)
         self._take(presentation.picture)
         self._share_out()
+
+    def minimumSizeHint(self) -> QSize:  # noqa: N802  # Qt's name
+        """What the values cannot do without: the figure goes where a window becomes smaller."""
+        return self.table.minimumSizeHint()
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802  # Qt's name
         """See whether there is room for the figure."""
