@@ -15,9 +15,9 @@ def equals(p_value: float) -> str:
 
 
 def series(names: Sequence[str], last: Literal["and", "or"] = "and") -> str:
-    """`x, y and z`."""
-    if len(names) == 1:
-        return names[0]
+    """`x, y and z`; empty where there is none."""
+    if len(names) < 2:
+        return names[0] if names else ""
     first = Message.joined(", ", names[:-1])
     if last == "or":
         return Message("{first} or {last}", first=first, last=names[-1])

@@ -17,6 +17,8 @@ from tumble.messages import Language
 from tumble.procedures.errors import InputError
 from tumble.window.look.language import speak
 from tumble.window.look.plots import Plot
+from tumble.window.look.shades import Shade
+from tumble.window.look.theme import dress
 from tumble.window.plots import saving
 from tumble.window.plots.sight import sight_of
 from tumble.window.plots.values import Series, Values
@@ -27,6 +29,7 @@ from tumble.window.widgets.series_plot import SeriesPlot
 def plot(qapp):
     """Two series against an angle: `lower` at 0, 10 and 20 degrees, `upper` at 0 and 20."""
     speak(Language.ENGLISH)
+    dress(qapp, Shade.LIGHT, 1.0)
     plot = SeriesPlot(("lower", "upper"), bottom="angle (°)", left="voltage (V)")
     plot.resize(500, 300)
     plot.draw_series(
