@@ -86,6 +86,7 @@ class Application(QObject):
         window.show()
         ScreenWatch(window)
         FirstPaint(window.windowHandle(), window).painted.connect(window.records.refresh)
+        window.records.shown.connect(gc.freeze, Qt.ConnectionType.SingleShotConnection)  # what was loaded for it stays
         return window
 
     def _restart(self) -> None:
@@ -102,6 +103,7 @@ class Application(QObject):
         self._application.setQuitOnLastWindowClosed(True)
 
     def _replace(self) -> None:
+        gc.unfreeze()  # what made the window before goes with it
         before, self.window = self.window, self._made()
         before.deleteLater()
         self._application.setQuitOnLastWindowClosed(True)
