@@ -86,7 +86,7 @@ class Application(QObject):
         window.show()
         ScreenWatch(window)
         FirstPaint(window.windowHandle(), window).painted.connect(window.records.refresh)
-        window.records.shown.connect(gc.freeze, Qt.ConnectionType.SingleShotConnection)  # what was loaded for it stays
+        window.records.shown.connect(_keep_what_is_loaded, Qt.ConnectionType.SingleShotConnection)
         return window
 
     def _restart(self) -> None:
@@ -117,6 +117,12 @@ class Application(QObject):
             self.window.fail(error)
         finally:
             self._showing = False
+
+
+def _keep_what_is_loaded() -> None:
+    """Look for garbage a last time in what the first list of records has had loaded: it stays, and is a great deal."""
+    gc.collect()
+    gc.freeze()
 
 
 def application() -> QApplication:
