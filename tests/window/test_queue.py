@@ -212,7 +212,7 @@ def test_a_stop_is_of_the_past_once_the_run_goes_on(driver, long):
     driver.wait_for_points(1)
     driver.window.worker.stop()
     wait_for(driver, Stage.STOPPED, Stage.WAITING)
-    driver.wait(driver.run.offered.button.isEnabled)
+    driver.wait(lambda: driver.run.offered.isVisible() and driver.run.offered.button.isEnabled())
     driver.press(Qt.Key.Key_F7)
     wait_for(driver, Stage.MEASURING, Stage.WAITING)
     assert driver.run.queue_view.said.text() == "The queue is held; F4 goes on with it."
