@@ -68,7 +68,7 @@ def in_process(tmp_path_factory):
 
 @pytest.mark.parametrize("pair", PAIRS, ids=NAMES)
 def test_a_pair_gives_what_the_simulated_stand_gives(pair, in_process, tmp_path: Path):
-    with served(tmp_path, "\n".join(pair), SHORT, speed=100.0) as stand:
+    with served(tmp_path, "\n".join(pair), SHORT) as stand:
         connected = stand.connect()
         try:
             through = measured(stand.job, connected, tmp_path / "run.mcap")
