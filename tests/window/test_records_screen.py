@@ -293,6 +293,15 @@ def test_a_record_goes_where_the_last_one_went_and_in_its_format(measured, tmp_p
     assert (asked.parent, asked.suffix) == (tmp_path, ".html")
 
 
+def test_an_ending_that_is_no_format_is_not_asked_for_again(measured, tmp_path):
+    measured.window.records.table.selectRow(0)
+    before = exported(measured)
+    exported(measured, tmp_path / "first.docx")
+    measured.wait(lambda: bool(measured.complaints))
+    assert exported(measured).suffix == before.suffix
+    measured.dismiss_all()
+
+
 def test_the_first_step_of_a_day_is_today(measured):
     day = measured.window.records.search.until
     day.stepBy(1)

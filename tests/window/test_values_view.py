@@ -54,6 +54,14 @@ def test_the_figure_keeps_no_window_from_becoming_smaller(view):
     assert view.minimumSizeHint() == view.table.minimumSizeHint()
 
 
+def test_a_picture_that_is_higher_than_the_room_is_left_out(view):
+    svg = '<svg xmlns="http://www.w3.org/2000/svg" width="76" height="60" viewBox="0 0 76 60"/>'  # shown 600 px high
+    view.show_presentation(result(Drawn(title="", svg=svg, caption="")))
+    assert view.picture.isVisible()
+    view.resize(1400, 600)
+    assert not view.picture.isVisible()
+
+
 def test_many_values_leave_no_room(view):
     view.show_presentation(result(RESIDUAL, 20 * LINES))
     assert not view.picture.isVisible()

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from tumble.calibrations.core.view import Section
+from tumble.calibrations.core.view import Section, drawn_first
 from tumble.window.generic.presenting import SectionPresentation
 from tumble.window.generic.presenting import present as present_sections
 from tumble.window.look.language import spoken
@@ -27,9 +27,10 @@ def figures_of(presentation: Presentation) -> Sequence[Drawn]:
 def present(concluded: Concluded) -> DrawnPresentation:
     """Work out what there is to show."""
     plain = present_sections(concluded)
-    answers = drawn_of(section for section in plain.sections if section.brief)
-    figures = drawn_of(plain.sections)
-    return DrawnPresentation(**vars(replace(plain, picture=next(iter(answers or figures), None))), figures=figures)
+    shown = [section for section in plain.sections if section.figure]
+    figures, first = drawn_of(shown), drawn_first(shown)
+    picture = next((figure for section, figure in zip(shown, figures, strict=True) if section is first), None)
+    return DrawnPresentation(**vars(replace(plain, picture=picture)), figures=figures)
 
 
 def drawn_of(sections: Iterable[Section]) -> tuple[Drawn, ...]:

@@ -13,6 +13,8 @@ VERDICT_SIGNS: Final = {
     Outcome.NO_LIMITS: DASH,
 }
 
+_MARKS: Final = {Outcome.PASS: "✓ ", Outcome.FAIL: "✗ ", Outcome.NOT_DECIDED: "? ", Outcome.NO_LIMITS: ""}
+
 
 def verdict_words(outcome: Outcome) -> str:
     """How a unit stands against the limits of its programme, where a sign is beside."""
@@ -29,12 +31,4 @@ def verdict_words(outcome: Outcome) -> str:
 
 def verdict_mark(outcome: Outcome) -> str:
     """The same where there is none."""
-    match outcome:
-        case Outcome.PASS:
-            return tr("✓ inside")
-        case Outcome.FAIL:
-            return tr("✗ outside")
-        case Outcome.NOT_DECIDED:
-            return tr("? not decided")
-        case Outcome.NO_LIMITS:
-            return tr("not judged")
+    return f"{_MARKS[outcome]}{verdict_words(outcome)}"

@@ -43,5 +43,6 @@ class Exporting(QObject):
         self.dialog_wanted.emit(question)
 
     def _write(self, path: Path) -> None:
-        QSettings().setValue(_LAST, str(path))
+        if f"(*{path.suffix.lower()})" in FORMATS:
+            QSettings().setValue(_LAST, str(path))
         self.wanted.emit(path)

@@ -58,9 +58,10 @@ class ValuesView(QWidget):
 
     def _share_out(self) -> None:
         """Give the table the height of its lines, and the figure what is left; without one the table has it all."""
-        lines = max(_HIGH_LINES * self.fontMetrics().height(), self.picture.minimumSizeHint().height())
+        least = max(self.picture.minimumSizeHint().height(), self.picture.minimumHeight())  # a picture has the latter
+        wanted = max(_HIGH_LINES * self.fontMetrics().height(), least)
         left = self.height() - self.table.sizeHint().height() - self._caption.sizeHint().height()
-        has_room = self._drawn and left >= lines
+        has_room = self._drawn and left >= wanted
         vertical = QSizePolicy.Policy.Maximum if has_room else QSizePolicy.Policy.Expanding
         self.table.setSizePolicy(QSizePolicy.Policy.Expanding, vertical)
         for part in (self.picture, self._caption):

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -90,7 +91,7 @@ def present(concluded: Concluded) -> HeadPresentation:
             coefficients=coefficients,
             texts=tuple(tuple(map(_coefficient, row)) for row in coefficients),
         ),
-        picture=next(iter(summary.figures or drawn_of(residual_sections(subject))), None),
+        picture=next(iter(summary.figures or drawn_of(islice(residual_sections(subject), 1))), None),
         loop=summary,
         models=models,
         budget=tuple(budget_sections(subject)),
